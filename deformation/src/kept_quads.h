@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the deformers that keep quads have in common.
+// The common part of the deformers that keep quads.
 #pragma once
 
 #include "cageproof/deformation/stretch.h"

@@ -103,7 +103,7 @@ double evaluations_at(int level, int dimension, double elements) {
   return 4 * std::pow(dimension == 2 ? 2 : 4, level) * elements * elements;
 }
 
-// Of all samples, by the method's parameters that say how often elements are split.
+// The number of evaluations at all samples, by the method's parameters that say how often elements are split.
 double evaluations_of(const DeformMethod& method, const DeformOptions& options, int dimension, double elements) {
   double all = 0;
   for (std::size_t i = 0; i < method.parameters.size(); ++i)

@@ -48,8 +48,8 @@ struct QuadraticProgram {
 
 // With A = Q T, T triangular, y = T s and c = Q^T b, |A s - b|^2 is |y - c|^2 and a constant. The Hessian is the
 // identity, with which SLSQP starts, so its first subproblem is the whole problem. Columns of a deficient matrix are
-// held by a little of the identity below it, as T has no inverse otherwise. Rows of T^-1 have norm one, which changes
-// no sign.
+// held by a little of the identity below it, because T has no inverse otherwise. Rows of T^-1 are scaled to norm one,
+// which changes no sign.
 ColumnSet program_columns(const Matrix<double>& matrix, const Matrix<double>& right, bool deficient) {
   const Eigen::Index n = matrix.cols(), rows = matrix.rows();
   Eigen::MatrixXd held = Eigen::MatrixXd::Zero(rows + n, n);
@@ -111,8 +111,8 @@ Attempt<R> attempt(const Matrix<R>& matrix, const Matrix<R>& right, const Column
   return found;
 }
 
-// All misplaced columns change sides, as long as these become fewer; then the last one alone, which comes to an end
-// where columns are independent (Murty 1974).
+// All misplaced columns change sides as long as they become fewer; then only the last one does, which ends if columns
+// are independent (Murty 1974).
 template <Scalar R>
 Attempt<R> exchanged(const Matrix<R>& matrix, const Matrix<R>& right, ColumnSet& positive) {
   const double tolerance =

@@ -8,7 +8,7 @@
 
 namespace cageproof::deformation {
 
-/// What minimises |A s - b| subject to s >= 0, and how well it satisfies the conditions of Karush, Kuhn and Tucker.
+/// The minimum of |A s - b| subject to s >= 0, and how well it satisfies the conditions of Karush, Kuhn and Tucker.
 template <Scalar R>
 struct NonNegativeSolution {
   Matrix<R> values;  ///< one column; zeros are exactly that

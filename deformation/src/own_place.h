@@ -20,7 +20,7 @@ std::pair<const Posed<double>*, Vec3<double>> without_shift(const Posed<double>&
 
 /// The deformer with poses taken to their own place, and images taken back. Images are sums of coordinates times data,
 /// and coordinates are rounded: their roundings are multiplied with the posed vertices' coordinates, which far from the
-/// origin are large beside the cage. All methods commute with shifts of the pose, so that the map is the same.
+/// origin are much larger than the cage. All methods commute with shifts of the pose, so that the map is the same.
 template <Scalar R>
 std::shared_ptr<const Deformer<R>> in_own_place(std::shared_ptr<const Deformer<R>> deformer);
 

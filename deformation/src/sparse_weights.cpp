@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-// Moments of a row that are kept: its sums over groups, two at most, and its product with the centres.
+// The most moments of a row that are kept: its sums over groups, two at most, and its product with the centres.
 constexpr int kMostKept = 5;
 using KeptMoments = std::array<double, kMostKept>;
 

@@ -6,8 +6,8 @@
 
 namespace cageproof::deformation {
 
-/// The normal derivatives sigma_t n'_t, a row an element, that make |fixed + of_normals N'| least.
-/// \param of_normals rows x elements \param fixed rows x dimension \param units the posed unit normals, a row an
+/// The normal derivatives sigma_t n'_t, one row per element, that make |fixed + of_normals N'| least.
+/// \param of_normals rows x elements \param fixed rows x dimension \param units the posed unit normals, one row per
 /// element \param nonnegative whether sigma >= 0 is asked for \param report takes the system, figures "least sigma",
 /// "largest sigma" and the number of negative or zero sigma, and warnings
 template <Scalar R>

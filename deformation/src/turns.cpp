@@ -37,8 +37,8 @@ std::pair<SpaceMatrix<R>, R> similarity(int d, const std::vector<Vec3<R>>& from,
   return {nearest.rotation, R(nearest.signed_values.sum() / size)};
 }
 
-// Of an element where a normal is: the rotation factor of the map that takes its rest tangents to the posed ones and
-// its normal to the posed one.
+// The rotation of an element at a normal: the rotation factor of the map that takes its rest tangents and normal to the
+// posed ones.
 template <Scalar R>
 SpaceMatrix<R> rotation_of(const CageElements& rest, const std::vector<Vec3<R>>& from,
                            const std::vector<Vec3<R>>& posed, const NormalPlace& at) {

@@ -30,21 +30,22 @@ std::vector<NormalPlace> normal_places(const CageElements& elements);
 template <Scalar R>
 Vec3<R> area_vector(const CageElements& rest, const std::vector<Vec3<R>>& vertices, const NormalPlace& place);
 
-/// A rotation a vertex and normal, and a stretch a normal.
+/// One rotation per vertex and normal, and one stretch per normal.
 template <Scalar R>
 struct Turns {
   std::vector<SpaceMatrix<R>> of_vertices, of_normals;
   std::vector<R> stretches;
 };
 
-/// Those of one similarity for all (blend 0), of each normal's element there and, nearest to the sum around it weighted
-/// with areas, of each vertex (blend 1), or between these. \param from, posed in a unit of about the cage's size
+/// Turns of one similarity for all (blend 0), or of each normal's element there and, nearest to the sum around it
+/// weighted with areas, of each vertex (blend 1), or between these. \param from, posed in a unit of about the cage's
+/// size
 /// \param stretches of normals, asked for where they are needed \param warnings takes rotations that are not unique
 template <Scalar R>
 Turns<R> turns_of(const CageElements& rest, const std::vector<Vec3<R>>& from, const std::vector<Vec3<R>>& posed,
                   const std::function<std::vector<R>()>& stretches, double blend, std::vector<std::string>& warnings);
 
-/// Those of each vertex alone, for a blend of one. \throws InputError for an element without a normal
+/// Only the turns of vertices, for a blend of one. \throws InputError for an element without a normal
 template <Scalar R>
 std::vector<SpaceMatrix<R>> vertex_rotations(const CageElements& rest, const std::vector<Vec3<R>>& posed,
                                              std::vector<std::string>& warnings);

@@ -7,7 +7,7 @@
 
 namespace cageproof::deformation::test {
 
-/// Of what squares are summed: Laplacians, all second derivatives, those along the normal.
+/// The quantities whose squares are summed: Laplacians, all second derivatives, those along the normal.
 enum class Operator { Laplacian, Hessian, Normal };
 
 /// An operator of phi, psi, phibar and psibar, rows of samples one below the other.

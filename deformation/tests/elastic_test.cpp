@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the elastic deformer keeps, and what it keeps to first order.
+// Maps that the elastic deformer keeps, exactly or to first order.
 #include "support.h"
 
 #include "cageproof/core/input_error.h"

@@ -45,7 +45,7 @@ TEST(far, from_the_origin_all_methods_keep_the_identity_to_rounding) {
     }
 }
 
-// What a shift adds to an image is the shift, wherever the posed cage goes.
+// A shift of the pose adds the shift to each image, wherever the posed cage goes.
 TEST(far, poses_are_shifted_as_they_are) {
   const Case c = cube();
   const Vec by = 0x1p40 * Vec(1, -3, 2);

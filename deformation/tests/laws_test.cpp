@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each deformer keeps and does not keep of similarities, mirror images and linear maps.
+// Similarities, mirror images and linear maps that each deformer keeps or does not keep.
 #include "support.h"
 
 #include "cageproof/core/input_error.h"

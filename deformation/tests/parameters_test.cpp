@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Other parameters for the same coordinates: as if they had been prepared for alone.
+// Other parameters for the same coordinates give the images that preparing for only these would give.
 #include "support.h"
 
 #include "cageproof/core/input_error.h"
@@ -99,7 +99,7 @@ TEST(parameters, of_boundary_normals_change_without_other_coordinates) {
   }
 }
 
-// What the program refuses before anything is computed is what has no other coordinates.
+// The program refuses beforehand exactly those parameters that decide the coordinates.
 TEST(parameters, that_decide_coordinates_are_those_that_are_refused) {
   const Case in_space = cube(), in_plane = square();
   int deciding = 0, free = 0;

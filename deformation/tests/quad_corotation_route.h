@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// [C23] Section 4 on quads that are kept, by another route, in 50 digits: one facet a triangle and a corner of a quad.
+// [C23] Section 4 on quads that are kept, by another route, in 50 digits: one facet per triangle and per quad's corner.
 #pragma once
 
 #include "quad_routes.h"

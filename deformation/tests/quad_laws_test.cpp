@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What deformers keep on quads that are kept: similarities, linear maps by their own normal derivatives, symmetries,
-// and that it does not matter at which corner a quad begins.
+// Laws of deformers on quads that are kept: they keep similarities, linear maps by their own normal derivatives, and
+// symmetries, and it does not matter at which corner a quad begins.
 #include "quad_cases.h"
 
 #include "cageproof/core/input_error.h"
@@ -133,7 +133,7 @@ TEST(quad_laws, images_do_not_hang_on_a_quads_first_corner) {
   }
 }
 
-// Cages of triangles alone have nothing that could be kept, and images as without.
+// Cages of only triangles have no quad that could be kept, and the same images.
 TEST(quad_laws, of_triangles_are_those_of_the_triangulated_deformers) {
   const Case c = cube();
   std::vector<Face> faces;

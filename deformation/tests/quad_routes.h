@@ -85,7 +85,7 @@ inline Mp50 stretch_route(StretchRoute which, const Mp& rest, const Mp& posed) {
   return s1 * s2;
 }
 
-/// What multiplies the layers without area elements: sigma_k N'_k of a quad's corners, s n' of a triangle.
+/// The factors of the layers, without area elements: sigma_k N'_k for a quad's corners, s n' for a triangle.
 inline std::vector<Wide> neumann_route(StretchRoute which, const BilinearRoute& rest, const BilinearRoute& posed,
                                        int points = 40) {
   const auto stretch_at = [&](const Mp50& u, const Mp50& v) {

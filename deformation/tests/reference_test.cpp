@@ -93,7 +93,7 @@ TEST(reference, plane) {
              2);
 }
 
-// What the specification prints to twelve digits, in 50.
+// The numbers that the specification prints to twelve digits, in 50 digits.
 TEST(reference, cube_in_50_digits) {
   const Case c = cube();
   const auto deformer = prepare_deformer<Mp50>(deform_method_named("biharmonic_1_3"), c.cage, {});

@@ -97,7 +97,7 @@ inline Mp side_by_side(const Mp& left, const Mp& right) {
   return both;
 }
 
-/// (L'; D') for a pose's vertices and normals, a row an element, or a corner with layers of kind `biharmonic_affine`.
+/// (L'; D') for a pose's vertices and normals, one row per element, or per corner with layers of `biharmonic_affine`.
 /// \param kind regularised_1_3, regularised_1_2 or regularised_weber
 inline Mp densities_by_constraints(std::string_view kind, const CageCoordinates& layers, const Mp& vertices,
                                    const Mp& normals, const Mp50& gamma_d = Mp50(1)) {

@@ -57,7 +57,7 @@ TEST(rejected, weights_of_constraints_that_are_negative_or_no_numbers) {
   EXPECT_EQ(asked, 9);
 }
 
-// Of the cube gamma_d times the size's fourth power is nine times gamma_d.
+// In the cube, gamma_d times the size's fourth power is nine times gamma_d.
 TEST(reported, weights_of_values_from_nothing_to_infinity) {
   const Case c = cube();
   const Images<double> green = deformed(*prepared(c.cage, "green", {3}), c.posed, c.points);
@@ -73,8 +73,8 @@ TEST(reported, weights_of_values_from_nothing_to_infinity) {
     for (const double huge : {1e12, 1e30, 1e200}) {
       const DeformationReport report = with(huge)->prepared();
       ASSERT_EQ(report.systems.size(), 1U);
-      // The rows of Laplacians are nothing beside those of values: the condition, and where these alone do not
-      // determine densities the rank, says what is left.
+      // The rows of Laplacians are tiny compared with those of values. The condition tells it, and the rank does where
+      // values do not determine the densities.
       EXPECT_GT(report.systems[0].condition, 10) << method << huge;
       EXPECT_TRUE(is_finite(deformed(*with(huge), c.posed, c.points))) << method << huge;
     }
@@ -131,7 +131,7 @@ TEST(reported, ranks_that_are_deficient) {
   EXPECT_EQ(asked, 7);
 }
 
-// [W12]'s square system, one collocation point a piece, one piece an edge.
+// [W12]'s square system, with one collocation point per piece and one piece per edge.
 TEST(reported, square_systems_that_are_singular) {
   for (const double normals : {0., 1., 2.}) {
     const auto report_with = [&](const Case& c, double collocation) {

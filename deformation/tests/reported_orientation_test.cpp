@@ -25,7 +25,7 @@ TEST(reported, poses_inside_out_by_every_method_with_normals) {
   }
 }
 
-// What is said of mirror images is so.
+// Reports on mirror images are true.
 TEST(reported, poses_inside_out_say_whether_mirror_images_are_kept) {
   for (const Case& c : {cube(), l_shape()}) {
     const int d = c.cage.dimension();

@@ -128,7 +128,7 @@ TEST(reported, tractions_of_flat_poses_are_balanced) {
     const CageElements elements(cage, false, Triangulation::Shortest);
     const int d = cage.dimension();
     std::vector<Vec> flat = scaled(cage.vertices(), by);
-    // Of the L: vertices on a line, in no order.
+    // A pose of the L with its vertices on a line, in no order.
     if (cage.name() == "L")
       for (Vec& v : flat) v = (v[0] + .3 * v[1]) * Vec::UnitX();
     for (const auto& posed : {flat, turned(flat, d)})

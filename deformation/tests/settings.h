@@ -85,7 +85,7 @@ std::shared_ptr<const Deformer<R>> prepared_with(const Cage& cage, const Setting
   return prepare_deformer<R>(method, cage, {.parameters = std::move(values)});
 }
 
-/// What a refusal says; empty where there is none.
+/// The text of a refusal; empty if there is none.
 template <class Action>
 std::string refusal_of(const Action& action) {
   try {

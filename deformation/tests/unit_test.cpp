@@ -41,8 +41,8 @@ TEST(unit, of_length_does_not_change_unit_free_methods) {
   EXPECT_THROW(change(c, "biharmonic_weber", {1, 3}, 1e-120), InputError);
 }
 
-// Where densities are small beside the harmonic layers, as gamma_d makes them in other units, Laplacians are nearly
-// nothing for all normal derivatives: images lose digits, and a warning says so.
+// If densities are small compared with the harmonic layers, as gamma_d makes them in other units, Laplacians are nearly
+// zero for all normal derivatives: images lose digits, and a warning says so.
 TEST(unit, aligned_methods_keep_rotations_where_densities_are_small) {
   const Case c = cube();
   const double turn = 1.1, cosine = std::cos(turn), sine = std::sin(turn);
@@ -112,7 +112,7 @@ TEST(reported, weights_and_ratios_that_cost_digits) {
   EXPECT_TRUE(prepared(c.cage, "somigliana")->prepared().warnings.empty());
 }
 
-// Densities are nothing beside the harmonic layers, and AHAP has no more to go by than rounding leaves.
+// Densities are tiny compared with the harmonic layers, and rounding leaves AHAP little to go by.
 TEST(reported, systems_of_poses_that_are_deficient) {
   const Case c = cube();
   const Cage tiny = c.cage.with(times(1e-6, c.cage.vertices()), c.cage.faces());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What variational maps take, refuse and report.
+// Inputs that variational maps take and refuse, and their reports.
 #include "variational_cases.h"
 
 #include "cageproof/core/input_error.h"

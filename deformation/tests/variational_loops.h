@@ -10,7 +10,8 @@
 
 namespace cageproof::deformation::test {
 
-/// What maximises the inner product with a matrix: Horn's quaternion (1987) in space, an angle in the plane.
+/// The rotation that maximises the inner product with a matrix: Horn's quaternion (1987) in space, an angle in the
+/// plane.
 inline Mat rotation_by_quaternion(const Mat& j, int d) {
   if (d == 2) {
     Mat r = Mat::Zero();
@@ -91,7 +92,7 @@ inline std::vector<Mat> nearest_at(const Map& map, const Constraints& constraint
   return found;
 }
 
-/// What a map's derivatives are off a term's target.
+/// The difference of a map's derivatives from a term's target.
 inline Eigen::MatrixXd miss(const Map& map, const Term& term) {
   const Images<double> images = map(term.at, term.order);
   Eigen::MatrixXd found = -term.target;
@@ -107,7 +108,7 @@ inline double energy_of(const Map& map, const std::vector<Term>& terms) {
   return sum;
 }
 
-/// The energy's gradient by the coefficients: a row a coefficient, each block's in turn, a column a component.
+/// The energy's gradient by the coefficients: one row per coefficient, block by block, one column per component.
 inline Eigen::MatrixXd gradient_of(const CageCoordinates& coordinates, const Map& map, const std::vector<Term>& terms) {
   const int d = coordinates.dimension();
   std::vector<Eigen::MatrixXd> of_blocks;

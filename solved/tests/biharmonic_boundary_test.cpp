@@ -165,7 +165,8 @@ TEST(biharmonic_boundary, on_the_offset_cage_is_off_by_the_offset) {
   }
 }
 
-// What errors are counted in: never less than the coordinates, and of their size away from where they vanish.
+// Sizes of terms, in which errors are counted, are never less than the coordinates, and like them away from their
+// zeros.
 TEST(biharmonic_boundary, knows_the_sizes_of_its_terms) {
   const CageCoordinates c = prepared(polygon(l_shape), 4);
   for (const Vec& point : {Vec(0.25, 0.5, 0), Vec(1.75, 1.75, 0), Vec(0, 0.375, 0)}) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kVertices = 0, kMidpoints = 1, kDiameter = 0, kOwn = 1;
 
-// Where the nodes of polygons with two pieces an edge are: vertices, then midpoints.
+// The nodes of polygons with two pieces per edge are the vertices, then the midpoints.
 std::vector<Vec> nodes_of(const Corners& corners) {
   std::vector<Vec> nodes;
   for (const auto& [x, y] : corners) nodes.emplace_back(x, y, 0);

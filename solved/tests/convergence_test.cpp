@@ -164,7 +164,7 @@ TEST(biharmonic_boundary, has_a_harmonic_laplacian) {
   };
   const std::vector<double> expected = laplacians(centre);
   std::vector<double> mean(expected.size());
-  // Of a harmonic function the mean of 64 points of a circle errs by (radius / distance to the boundary)^64.
+  // A harmonic function's mean over 64 points of a circle errs by (radius / distance to the boundary)^64.
   constexpr int points = 64;
   for (int k = 0; k < points; ++k) {
     const double angle = 2 * 3.14159265358979 * k / points;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the true biharmonic and harmonic coordinates of polygons must fulfil.
+// Properties of the true biharmonic and harmonic coordinates of polygons.
 #include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/geometry/winding_number.h"
@@ -293,7 +293,7 @@ TEST(goursat_coordinates, refuse_many_edges_by_name) {
   EXPECT_TRUE(accepts(coordinate_kind_named("harmonic_goursat"), polygon("48 edges", points)));
 }
 
-// Slopes along an edge of 1e-6 are a million times the values, and must not hide what values miss: the same cage,
+// Slopes along an edge of 1e-6 are a million times the values, and must not hide errors of values: the same cage,
 // turned, has other coordinates there, by some tenths.
 TEST(goursat_coordinates, state_what_values_miss_beside_a_short_edge) {
   const Cage cage = polygon("short edge", {{0, 0}, {1, 0}, {1, 1e-6}, {1.25, 1}, {0, 1}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Functions whose values are known everywhere, from their exact data on the boundary alone.
+// Functions whose values are known everywhere, computed from only their exact data on the boundary.
 #include "goursat/dirichlet_solver.h"
 #include "goursat_polygons.h"
 
@@ -145,8 +145,9 @@ TEST(goursat_manufactured, errors_of_smooth_functions_fall_geometrically) {
   for (std::size_t i = 1; i < logarithms.size(); ++i) EXPECT_LE(logarithms[i], logarithms[i - 1] - 1) << i;
 }
 
-// What corners cost. The hat function of the L's notch by polynomials and what its kink needs alone: each degree's
-// double leaves a half of the residual or more. With the exponents of the corners, each four of them bring a digit.
+// The cost of corners. With only polynomials and the terms of its kink for the hat function of the L's notch, each
+// degree's double leaves a half of the residual or more. With the exponents of the corners, each four of them bring a
+// digit.
 TEST(goursat_manufactured, corners_cost_their_exponents) {
   const Cage cage = l_shape();
   const auto residual = [&](int degree, int terms) {

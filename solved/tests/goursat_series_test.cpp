@@ -84,7 +84,7 @@ class PlateSeries {
 
 double zero(double, bool) { return 0; }
 double one(double k, bool odd) { return odd ? 0 : 2 * std::sin(k / 2) / k; }
-// Of x, for odd ones: k is a multiple of 2 pi.
+// The coefficient of x, for odd functions: k is a multiple of 2 pi.
 double linear(double k, bool odd) { return odd ? -std::cos(k / 2) / k : 0; }
 
 // The limit of an infinite number of terms, by Aitken's process.
@@ -115,7 +115,7 @@ SquareTruth square_truth(double x, double y) {
   const double apart_y = odd_y.at(x, y), apart_x = odd_x.at(x, y);
   SquareTruth t;
   t.beta = {(both_y - apart_y) / 2, (both_x + apart_x) / 2, (both_y + apart_y) / 2, (both_x - apart_x) / 2};
-  // What is x on the border and has no normal derivative is x without its own; so is x y.
+  // The function that is x on the border, without normal derivative, is x less the function with x's normal derivative.
   const double of_x = x - apart_x, of_y = y - apart_y;
   const double of_xy = x * y - odd.at(x, y);
   const std::array<std::array<double, 2>, 4> signs{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};

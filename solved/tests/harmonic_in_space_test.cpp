@@ -72,7 +72,7 @@ TEST(harmonic_in_space, converge_to_the_series_of_the_cube) {
       errors[k] = std::max(errors[k], largest_difference(found[k], known.lambda));
     }
     if (&known != &of_the_cube().front()) continue;
-    // Of second order: pieces of half the size have a quarter of the error.
+    // The scheme is of second order: pieces of half the size have a quarter of the error.
     extrapolated = (4 * found[2][7] - found[1][7]) / 3 - known.lambda[7];
   }
   RecordProperty("errors", testing::PrintToString(errors) + testing::PrintToString(extrapolated));

@@ -24,8 +24,8 @@ TEST(harmonic, are_barycentric_coordinates_in_triangles) {
     }
 }
 
-// In the unit square bilinear functions are harmonic, and linear on edges; their normal derivatives are linear on edges
-// as well, and constant on pieces but for second order, which inside is left of fourth order.
+// In the unit square bilinear functions are harmonic, and linear on edges. Their normal derivatives are linear on
+// edges, too; constants on pieces miss them to second order, which leaves errors of fourth order inside.
 TEST(harmonic, converge_to_bilinear_functions_in_the_square) {
   const auto error = [](double pieces) {
     const CageCoordinates h = coordinates(polygon(unit_square), "harmonic", {pieces, 1});

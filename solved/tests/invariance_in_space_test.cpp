@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Harmonic coordinates in space depend on the cage's shape alone, in every scalar, with derivatives that are theirs.
+// Harmonic coordinates in space depend only on the cage's shape, in every scalar, and so do their derivatives.
 #include "cageproof/core/cage/embedded_cages.h"
 #include "space_support.h"
 
@@ -8,7 +8,7 @@
 namespace cageproof::solved::test {
 namespace {
 
-// Of triangles: a quad's diagonal may change when the cage turns.
+// A block of triangles, because a quad's diagonal may change when the cage turns.
 Cage block() { return split_cage(embedded_cage("l-block"), 0); }
 
 Cage moved(const Cage& cage, const Eigen::Matrix3d& map, const Vec& offset) {

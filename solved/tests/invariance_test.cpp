@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Solved coordinates depend on the cage's shape alone, in every scalar, with derivatives that are theirs.
+// Solved coordinates depend only on the cage's shape, in every scalar, and so do their derivatives.
 #include "support.h"
 
 #include <gtest/gtest.h>

@@ -178,7 +178,7 @@ inline double interpolated(const CageCoordinates& coordinates, const std::vector
   return sum;
 }
 
-/// Of each function, whose data are exact, the largest error at the points.
+/// The largest error at the points of each function, whose data are exact.
 template <class Functions>
 std::vector<double> largest_errors(const CageCoordinates& coordinates, const Functions& functions,
                                    const std::vector<Vec>& points) {

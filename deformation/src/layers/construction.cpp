@@ -29,7 +29,7 @@ std::array<Matrix<R>, 4> normal_slopes(const CageCoordinates& coordinates, const
       const Matrix<R> along = component(tables[b], samples.size(), 1, d, c);
       for (std::size_t s = 0; s < samples.size(); ++s) {
         const auto row = static_cast<Eigen::Index>(s);
-        // Of flat elements, which have one normal each.
+        // Flat elements have one normal each.
         found[b].row(row) += normals[samples[s].element][c] * along.row(row);
       }
     }
@@ -37,8 +37,7 @@ std::array<Matrix<R>, 4> normal_slopes(const CageCoordinates& coordinates, const
   return found;
 }
 
-// What normal derivatives are at samples: a column an element, or a corner, whose hat functions they are multiplied
-// with.
+// Normal derivatives at samples: one column per element, or one per corner, multiplied with the corner's hat function.
 template <Scalar R>
 Matrix<R> normals_at(const CageCoordinates& coordinates, const SampledLayers<R>& layers) {
   const CageElements& elements = coordinates.elements();

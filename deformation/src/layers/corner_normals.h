@@ -9,7 +9,7 @@ namespace cageproof::deformation {
 /// Data for [T24] Eq 41, n_t^k: the rest normal of element t turned by the rotation of its k-th vertex, and stretched
 /// as the element is. The paper leaves open which normals are meant. A vertex's rotation is the one nearest to the sum
 /// of its elements' rotations, weighted with rest areas or lengths ([C23] Section 4.2), so that poses by rotations have
-/// constant normals. A row a corner, element by element.
+/// constant normals. One row per corner, element by element.
 /// \param warnings takes vertices whose rotation is not unique
 /// \throws InputError for an element without area or length
 template <Scalar R>

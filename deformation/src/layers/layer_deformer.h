@@ -12,7 +12,7 @@
 
 namespace cageproof::deformation {
 
-/// What there is a normal derivative for, by the parameter `neumann`: constant (0), affine (1).
+/// The owner of normal derivatives, by the parameter `neumann`: constant (0), affine (1).
 inline Owner normals_by(double neumann) { return neumann == 0 ? Owner::Element : Owner::Corner; }
 
 /// The four layers of a cage, its quads kept.

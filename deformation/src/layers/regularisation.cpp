@@ -43,7 +43,7 @@ void put(Regularisation<R>& found, const SampledLayers<R>& layers, Matrix<R> sol
   found.terms = std::move(terms);
 }
 
-// Of gamma_d times the fourth power of the cage's size: below, the condition grows like one over its root.
+// The least gamma_d times the fourth power of the cage's size: below, the condition grows like one over its root.
 constexpr double least_harmless = 1e-8;
 
 // A system's solution, and the sizes of what it is rounded by where they are asked for.

@@ -6,8 +6,8 @@
 
 namespace cageproof::deformation {
 
-/// What is said of the systems that were solved, which takes as long as solving: nothing, their descriptions, or the
-/// sizes of what solutions are rounded by.
+/// The account of the systems that were solved, which takes as long as solving: none, their descriptions, or the sizes
+/// that solutions are rounded by.
 enum class Account { None, Systems, Terms };
 
 /// (L'; D') = to_vertices V' + to_normals N', in the user's unit of length. Rows: a vertex each, then an element each,
@@ -26,7 +26,7 @@ struct Regularisation {
 template <Scalar R>
 Regularisation<R> one_three(const SampledLayers<R>& layers, const R& weight, Account account = Account::Systems);
 
-/// What takes misfits b of (1,3) at the samples to densities, in the layers' unit: C_L above C_D, Eq 29.
+/// The matrix that takes misfits b of (1,3) at the samples to densities, in the layers' unit: C_L above C_D, Eq 29.
 /// \param weight as of one_three; zeros for 0
 template <Scalar R>
 Matrix<R> one_three_inverse(const SampledLayers<R>& layers, const R& weight);

@@ -21,7 +21,7 @@ std::size_t place_of_neumann() {
   return kWeights + weight_parameters(C).size();
 }
 
-// What decides the regularisation.
+// The parameters that decide the regularisation.
 template <Construction C>
 std::vector<double> construction_of(const std::vector<double>& parameters) {
   std::vector<double> found{parameters[kLevel]};
@@ -47,7 +47,7 @@ class Regularised final : public LayerDeformer<R> {
     if (!KeepsQuads && normals_by(parameters[place_of_neumann<C>()]) != this->normals_of()) return nullptr;
     if (construction_of<C>(parameters) != construction_)
       return std::make_shared<Regularised>(this->coordinates(), parameters);
-    // Posed normals alone are others.
+    // Only the posed normals differ.
     auto same = std::make_shared<Regularised>(*this);
     same->stretch_ = stretch_by(parameters);
     return same;

@@ -16,7 +16,7 @@ namespace {
 
 using Basis = std::array<double, 4>;
 
-// Of one of the layers' matrices: a gigabyte, of which there are several.
+// The most numbers of one of the layers' matrices: a gigabyte, for each of several matrices.
 constexpr double most_numbers = 1.3e8;
 
 // A part's corners, in the whole element's basis functions.

@@ -6,13 +6,13 @@
 
 namespace cageproof::deformation {
 
-/// Points of the cage: each element split in parts so often, by its midpoints, and the parts' centroids; of a quad the
-/// points amid the parts of u and v. 4^level points a triangle or quad, strictly within it, in its basis functions,
-/// which sum to one.
+/// Points of the cage. Each element is split `level` times by its midpoints, and the parts' centroids are taken; on a
+/// quad, the points amid the parts of u and v. They are 4^level points per triangle or quad, strictly within it, in its
+/// basis functions, which sum to one.
 std::vector<Touching> samples_of(const CageElements& elements, int level);
 
-/// Values of basis functions and layers at samples, a row a sample; limits from inside. Lengths are in a unit of the
-/// cage's own, so that powers of them, and of what is solved, stay in range.
+/// Values of basis functions and layers at samples, one row per sample; limits from inside. Lengths are in a unit of
+/// the cage's own, so that their powers, and those of solutions, stay in range.
 template <Scalar R>
 struct SampledLayers {
   double unit = 1;  ///< the power of two next to the cage's size, in the user's unit
@@ -34,7 +34,7 @@ std::vector<CoordinateTable<R>> checked_limits(const CageCoordinates& coordinate
 template <Scalar R>
 SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level);
 
-/// A block's derivatives of one order at samples, one component: a row a sample.
+/// One component of a block's derivatives of one order at samples, one row per sample.
 template <Scalar R>
 Matrix<R> component(const CoordinateTable<R>& table, std::size_t samples, int order, std::size_t width,
                     std::size_t which) {

@@ -15,8 +15,8 @@
 namespace cageproof::deformation {
 namespace {
 
-// What outward normal derivatives are: posed unit normals (5.1), these times how much edges are stretched, with which
-// the map is a complex one (5.2), or times what makes Laplacians at the boundary's nodes least (5.3, as harmonic as
+// The outward normal derivatives: posed unit normals (5.1), these times the stretches of edges, which make the map a
+// complex one (5.2), or times factors that make Laplacians at the boundary's nodes least (5.3, as harmonic as
 // possible).
 enum class BoundaryNormals { Unit, Complex, LeastLaplacians };
 

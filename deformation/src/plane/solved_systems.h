@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What there is to say of coordinates that are solved for on the boundary of a polygon.
+// The report on coordinates that are solved for on the boundary of a polygon.
 #pragma once
 
 #include "cageproof/core/coordinates/coordinates.h"

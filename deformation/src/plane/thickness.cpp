@@ -153,7 +153,7 @@ struct Thickness<R>::Prepared {
       run.merits.push_back(static_cast<double>(run.last.merit(weight)));
       run.energies.push_back(static_cast<double>(run.last.energy()));
       if (watch) watch(run.steps, run.energies.back());
-      // What misses its targets may have come to rest.
+      // The map may come to rest without meeting its targets.
       if (run.change <= unit_roundoff<R>() * R(size)) break;
     }
     return run;

@@ -10,7 +10,7 @@ struct ThicknessOptions {
   int samples = 4;  ///< of the energy on each edge, at fractions (q + 1/2)/samples; at least 1. Part of the method
   int steps = 100;  ///< at most; at least 1
   std::string evaluation = {};  ///< of the coordinates' formulas; empty for the recommended ones
-  /// Of kind `biharmonic_boundary`, in the order of parameters_of it; empty for their defaults.
+  /// Parameters of the kind `biharmonic_boundary`, in the order of parameters_of; empty for their defaults.
   std::vector<double> coordinates = {};
 };
 
@@ -29,7 +29,7 @@ class Thickness final : public ConstrainedDeformer<R> {
   /// constraints other than positions, and samples at ends of the edges' pieces, where second derivatives are infinite
   Thickness(const Cage& cage, Constraints constraints, const ThicknessOptions& options = {});
 
-  /// Of kind `biharmonic_boundary`.
+  /// The coordinates, of kind `biharmonic_boundary`.
   const CageCoordinates& coordinates() const override;
   DeformationReport prepared() const override;
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What thickness is measured and held by: linear in the posed vertices F and the posed edges' unit normals n'.
+// Rows that measure and hold thickness, which is linear in the posed vertices F and the posed edges' unit normals n'.
 #pragma once
 
 #include "thickness.h"
 
 namespace cageproof::deformation {
 
-/// A linear map of F (of_vertices) and n' (of_normals), a row a point of the plane.
+/// A linear map of F (of_vertices) and n' (of_normals), one row per point of the plane.
 template <Scalar R>
 struct BoundaryRows {
   Matrix<R> of_vertices, of_normals;
 
-  /// \param vertices F, a row a vertex \param normals n', a row an edge
+  /// \param vertices F, one row per vertex \param normals n', one row per edge
   Matrix<R> at(const Matrix<R>& vertices, const Matrix<R>& normals) const {
     return of_vertices * vertices + of_normals * normals;
   }
@@ -26,7 +26,7 @@ BoundaryRows<R> thickness_rows(const CageCoordinates& coordinates, int samples_a
 template <Scalar R>
 BoundaryRows<R> position_rows(const CageCoordinates& coordinates, const std::vector<Constraints::Position>& positions);
 
-/// The posed edges' unit normals at F, a row an edge, and their derivatives: row 2 e + a, column 2 v + b of
+/// The posed edges' unit normals at F, one row per edge, and their derivatives: row 2 e + a, column 2 v + b of
 /// `derivative` is that of component a of edge e's by component b of vertex v.
 template <Scalar R>
 struct NormalsAt {

@@ -8,8 +8,8 @@
 
 namespace cageproof::deformation {
 
-/// What the corotational deformer takes from a pose: a rotation a vertex, and a rotation and a traction a normal
-/// (Owner::Normal), of which a flat element has one, and a quad one a corner.
+/// The data that the corotational deformer takes from a pose: one rotation per vertex, and one rotation and traction
+/// per normal (Owner::Normal). A flat element has one normal, a quad one per corner.
 template <Scalar R>
 struct Corotation {
   std::vector<SpaceMatrix<R>> of_vertices, of_normals;

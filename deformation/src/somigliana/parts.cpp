@@ -51,7 +51,7 @@ R place_of(double nu) {
   return std::isinf(nu) ? R(0) : R(1 / (1 - R(nu)));
 }
 
-// Of the deformer alone: users have the coordinates themselves.
+// Only the deformer uses it: users have the coordinates themselves.
 template <bool KeepsQuads>
 const CoordinateKind& kind_of_parts() {
   static const CoordinateKind kind{

@@ -15,8 +15,8 @@ void check_constraints(const Constraints& constraints, const VariationalOptions&
 template <Scalar R>
 struct ConstraintRows {
   Matrix<R> matrix;
-  /// What coefficients are multiples of, so that each has the unit of a length: h, 1, 1/h, 1/h^2 of phi, psi, phibar
-  /// and psibar, h the cage's size. Rank and least norm are then the same in any unit of length.
+  /// Units of coefficients, which give each the unit of a length: h, 1, 1/h, 1/h^2 for phi, psi, phibar and psibar,
+  /// with h the cage's size. Rank and least norm are then the same in any unit of length.
   Eigen::Matrix<R, Eigen::Dynamic, 1> units;
   Eigen::Index orientations, rotations, hessians;  ///< first rows
   R root_alpha, root_beta;

@@ -44,7 +44,7 @@ struct Variational<R>::Prepared {
         factors(rows.matrix) {
     const CageElements& elements = coordinates.elements();
     const std::vector<Vec3<R>> vertices = vertices_in<R>(elements);
-    // What the constraints leave free is taken as the least there is, seen from the origin.
+    // Freedom that the constraints leave is filled with the least coefficients, seen from the origin.
     if (free_unknowns() == 0) place = own_place(elements.vertices());
     rest = Matrix<R>::Zero(rows.units.size(), dimension());
     rest.topRows(static_cast<Eigen::Index>(vertices.size())) =

@@ -14,7 +14,7 @@ enum class Subspace { Harmonic, Biharmonic };
 enum class Nearest { Rotation, Similarity };
 
 /// The paper gives no values for weights. They carry units: in a unit of length s times smaller, the same map takes
-/// s^2 alpha, s^2 beta and s^4 gamma; but for biharmonic maps of the plane, whose logarithms add |x|^2 to the layers.
+/// s^2 alpha, s^2 beta and s^4 gamma, except biharmonic maps of the plane, whose logarithms add |x|^2 to the layers.
 struct VariationalOptions {
   Subspace subspace = Subspace::Biharmonic;
   Nearest nearest = Nearest::Rotation;
@@ -32,8 +32,8 @@ struct VariationalOptions {
 /// The energy
 ///   E = sum |f(p) - to|^2 + alpha sum |Jf - jacobian|^2 + beta sum |Jf - R|^2 + gamma sum |Hf|^2
 /// of f's coefficients and of the rotations R, in Frobenius norms, made less by turns: each R becomes the rotation (or
-/// similarity) nearest to Jf, then the coefficients solve a linear least-squares problem. Its matrix depends on places
-/// and weights alone and is factored once. The first map is the identity. The energy does not rise, beyond rounding, at
+/// similarity) nearest to Jf, then the coefficients solve a linear least-squares problem. Its matrix depends only on
+/// places and weights and is factored once. The first map is the identity. The energy rises only by rounding, at
 /// any half step; its minimum need not be the global one. Where constraints do not determine the coefficients, those of
 /// least norm are taken, in the cage's own unit of length, and the report has a warning. R: double or Mp50. Safe from
 /// any thread.
@@ -45,7 +45,7 @@ class Variational final : public ConstrainedDeformer<R> {
   /// do not exist
   Variational(const Cage& cage, Constraints constraints, const VariationalOptions& options = {});
 
-  /// Of kind `green` or `biharmonic`.
+  /// The coordinates, of kind `green` or `biharmonic`.
   const CageCoordinates& coordinates() const override;
   DeformationReport prepared() const override;
 

@@ -18,11 +18,11 @@
 
 namespace cageproof::solved {
 
-/// What a scheme has solved for, in the polygon's frame.
+/// The solution of a scheme, in the polygon's frame.
 template <Scalar R>
 struct Densities {
-  /// What was solved for: a column a coordinate, those of values at vertices, of edges' normal derivatives, of
-  /// Laplacians at vertices. From order 2 on the first rows are Laplacians, one a node.
+  /// Solutions, one column per coordinate: those of values at vertices, of edges' normal derivatives, of Laplacians at
+  /// vertices. From order 2 on, the first rows are Laplacians, one per node.
   Matrix<R> own;
   /// The densities of layer number `layer` of Scheme::unknown are, summed over its shares, `matrix` times the rows of
   /// `own` from `row` on; those themselves where the matrix is empty. Layers are put together before they are
@@ -38,10 +38,10 @@ struct Densities {
 
 inline constexpr std::string_view offset_evaluation = "offset-1e-6";
 
-/// A row of coordinates is phi^H of the cage itself, or psi^H (for those of Laplacians nothing), and beside it the
-/// layers of the refined polygon times their densities. The first comes from the cage's own Green coordinates, which
-/// know on which side of the cage a point lies and have the exact limits on it; the second changes by rounding alone
-/// where nodes are rounded.
+/// A row of coordinates is phi^H of the cage itself, or psi^H (zero for those of Laplacians), plus the layers of the
+/// refined polygon times their densities. The first comes from the cage's own Green coordinates, which know on which
+/// side of the cage a point lies and have the exact limits on it; the second changes only by rounding where nodes are
+/// rounded.
 ///
 /// With the evaluation `offset-1e-6` of kinds with normals, equations are asked to hold on the cage offset inwards by
 /// 1e-6 of its diameter, as the paper does, instead of in the limit.
@@ -215,7 +215,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     put(prepared<R>().densities, parts_at<R>(points, order), points.size(), first, order, tables);
   }
 
-  // What coordinates are put together from, at a block of points.
+  // The parts that coordinates are put together from, at a block of points.
   template <Scalar R>
   struct Parts {
     std::vector<CoordinateTable<R>> layers;  // of the refined polygon, in its frame
@@ -234,7 +234,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     return parts;
   }
 
-  // Of places on edges; those of the cage's own layers are where the basis functions say, too.
+  // Limits at places on edges, which basis functions state.
   template <Scalar R>
   void put_limits(std::span<const Touching> places, int order, std::span<CoordinateTable<R>> tables) const {
     const BoundaryLayers<R>& layers = *prepared<R>().layers;
@@ -251,7 +251,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     }
   }
 
-  // What was solved for has a row a coordinate here, in the frame's unit.
+  // Solutions have one row per coordinate here, in the frame's unit.
   template <Scalar R>
   void put_laplacians(std::vector<CoordinateTable<R>>& tables) const {
     const Matrix<R>& own = prepared<R>().densities.own;
@@ -278,7 +278,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
         int above = 0;
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
           const R unit = power_of_unit<R>(blocks_[b].degree - o);
-          // Only the first two have a layer of the cage's own.
+          // Only the first two blocks have a layer of the cage itself.
           const R* const from = b < 2 ? &parts.own[b].tensors[o][p * parts.own[b].stride[o]] : nullptr;
           R* const to = &tables[b].tensors[o][(first + p) * tables[b].stride[o]];
           for (int k = 0; k < blocks_[b].size; ++k)
@@ -300,7 +300,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     return pow(R(polygon_.unit()), exponent);
   }
 
-  // Layers at a point times densities: one row a coordinate, one column a derivative.
+  // The layers at a point times densities: one row per coordinate, one column per derivative.
   template <Scalar R>
   Matrix<R> sums_at(const Densities<R>& densities, const std::vector<CoordinateTable<R>>& layers, std::size_t p,
                     int order) const {
@@ -357,7 +357,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
       R steps = line.direction.dot(polygon_.seen_from<R>(from, at) - polygon_.along<R>(touch.element, R(0), from)) /
                 line.piece;
       using std::abs, std::round;
-      // A node of the refined polygon, but for rounding.
+      // Rounding may keep a node of the refined polygon from being a whole number.
       const R whole = round(steps);
       if (abs(steps - whole) <= 16 * polygon_.pieces_an_edge() * unit_roundoff<R>()) steps = whole;
       found.push_back({touch.element, steps});
@@ -402,7 +402,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
   mutable std::tuple<Prepared<double>, Prepared<Mp50>, Prepared<Mp100>> prepared_;
 };
 
-/// What a kind with that scheme is prepared by (CoordinateKind::prepare).
+/// The function that prepares a kind with that scheme (CoordinateKind::prepare).
 template <class Scheme>
 std::shared_ptr<const PreparedCoordinates> prepare_boundary(const Cage& cage, const CoordinateOptions& options) {
   return std::make_shared<BoundaryCoordinates<Scheme>>(cage, options);

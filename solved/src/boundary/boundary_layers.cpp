@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 6> formulas{"segment.double_layer",
                                                    "segment.polyharmonic_double_layer",
                                                    "segment.polyharmonic_single_layer"};
 
-// Of the layers' formulas; only those of order 3 have any.
+// Parameters of the layers' formulas; only those of order 3 have any.
 template <Scalar R>
 std::span<const R> parameters_of(Layer layer) {
   static const std::array<R, 1> order{R(3)};
@@ -98,7 +98,7 @@ void BoundaryLayers<R>::add_piece(const Piece& piece, std::span<const Layer> lay
     outputs[k].slots = is_per_node(layers[k]) ? std::span<const int>(piece.nodes) : std::span(&piece.number, 1);
     for (int o = 0; o <= order; ++o) outputs[k].tensors[o] = tables[k].tensors[o].data();
   }
-  // Those of the same parameters together.
+  // Layers with the same parameters are computed together.
   for (std::size_t first = 0, end = 0; first < layers.size(); first = end) {
     const std::span<const R> parameters = parameters_of<R>(layers[first]);
     while (end < layers.size() && std::ranges::equal(parameters_of<R>(layers[end]), parameters)) ++end;

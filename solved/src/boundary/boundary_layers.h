@@ -11,8 +11,8 @@
 
 namespace cageproof::solved {
 
-/// phi^H, psi^H, phi^BH, psi^BH, then those of Appendix B for order 3: double layers have a number a node, single
-/// layers one a piece.
+/// phi^H, psi^H, phi^BH, psi^BH, then those of Appendix B for order 3. Double layers have one number per node, single
+/// layers one per piece.
 enum class Layer { Double, Single, BiharmonicDouble, BiharmonicSingle, TriharmonicDouble, TriharmonicSingle };
 
 inline constexpr std::array all_layers{
@@ -46,7 +46,7 @@ struct CollocationPoint {
   bool is_vertex() const { return piece == 0 && part == 0; }
 };
 
-/// The layers at collocation points, limits from inside: one row a point, one column a node or piece.
+/// The layers at collocation points, limits from inside: one row per point, one column per node or piece.
 template <Scalar R>
 struct LayerRows {
   std::vector<Matrix<R>> layer;
@@ -93,7 +93,7 @@ class BoundaryLayers {
   void add_piece(const Piece& piece, std::span<const Layer> layers, std::span<const Vec3<R>> points, int order,
                  std::span<CoordinateTable<R>> tables) const;
   std::vector<Vec3<R>> seen_from(int vertex, std::span<const At> points) const;
-  /// Of pieces on other edges.
+  /// Adds the layers of pieces on other edges.
   void add_others(std::span<const Layer> layers, const At& point, std::span<const OnEdge<R>> on, int order,
                   std::span<CoordinateTable<R>> tables) const;
   void add_in_line(int edge, const R& steps, std::span<const Layer> layers, int order,
@@ -103,9 +103,9 @@ class BoundaryLayers {
   void put_inset(const CollocationPoint& point, double inset, Eigen::Index row, LayerRows<R>& rows) const;
   At inset_node(int edge, int k, const R& inset) const;
 
-  // All layers that there are evaluations of.
+  // All layers that have an evaluation.
   std::span<const Layer> layers() const { return layers_up_to(static_cast<int>(evaluations_.size()) / 2); }
-  // One table a layer, at one point, of values alone.
+  // One table per layer, for one point, with only values.
   std::vector<CoordinateTable<R>> tables() const;
 
   const RefinedPolygon& polygon_;

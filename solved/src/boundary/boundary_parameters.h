@@ -35,7 +35,7 @@ inline KindParameter unit_parameter() {
           {"diameter", "own"}};
 }
 
-/// Of kinds without that parameter, the diameter.
+/// The parameter `unit`; the diameter for kinds without it.
 inline RefinedPolygon::Unit unit_of(const std::vector<double>& parameters) {
   return parameters.size() > 2 && parameters[2] == 1 ? RefinedPolygon::Unit::Own : RefinedPolygon::Unit::Diameter;
 }

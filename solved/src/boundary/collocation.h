@@ -9,7 +9,7 @@
 
 namespace cageproof::solved {
 
-/// Points of every piece: the k-th of `parts` equal parts of it begins there, for k of `taken`.
+/// Points of every piece, which is divided into `parts` equal parts: the beginnings of part k, for each k in `taken`.
 struct PiecePoints {
   int parts;
   std::vector<int> taken;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the boundary equations of biharmonic and triharmonic functions have in common.
+// The common part of the boundary equations of biharmonic and triharmonic functions.
 #pragma once
 
 #include "collocation.h"
@@ -21,8 +21,8 @@ struct PolyharmonicEquations {
   Matrix<R> slopes;               ///< A = pinv(psi_1) (H - phi_1), pieces x nodes
   Matrix<R> biharmonic;           ///< K_2 = phi_2 + psi_2 A where values are
   Matrix<R> nodes;                ///< U_f, nodes x vertices
-  /// What values at vertices and normal derivatives of edges give on the right where values are: (H - phi_1) U_f beside
-  /// -psi_1 U_d.
+  /// The right sides from values at vertices and normal derivatives of edges, in the equations of values: (H - phi_1)
+  /// U_f next to -psi_1 U_d.
   Matrix<R> data;
 
   SolvedSystem described(std::string name) const {

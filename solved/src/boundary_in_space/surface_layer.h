@@ -10,8 +10,8 @@
 
 namespace cageproof::solved {
 
-/// Asks an evaluation of a triangle's formula for all pieces: one slot a corner of a piece where the formula has one
-/// tensor a corner, else one a piece. Keeps references.
+/// Asks an evaluation of a triangle's formula for all pieces. A piece has one slot per corner if the formula has one
+/// tensor per corner, else one slot. Keeps references.
 template <Scalar R>
 class SurfaceLayer {
  public:
@@ -19,10 +19,10 @@ class SurfaceLayer {
 
   /// Slots of all pieces.
   int slots() const { return surface_.pieces() * slots_a_piece_; }
-  /// Numbers of one slot's tensor: rows times columns.
+  /// The count of numbers in one slot's tensor, rows times columns.
   int entries() const { return evaluation_.formula().shape.entries(); }
 
-  /// Of zeros: [point][slot][entry][derivative].
+  /// A table of zeros: [point][slot][entry][derivative].
   CoordinateTable<R> table(std::size_t points, int order) const;
 
   /// Adds the layer at points in the frame. Values of layers that are continuous across the surface are right on it,
@@ -34,7 +34,7 @@ class SurfaceLayer {
   /// \pre the formula's tensors are numbers
   void add_on(const Vec3<R>& point, std::span<const Touching> on, int order, CoordinateTable<R>& to) const;
 
-  /// Values at places, a row a place and entry of the tensor's rows, a column a slot and entry of its columns. \pre the
+  /// Values at places: one row per place and row of the tensor, one column per slot and column of the tensor. \pre the
   /// layer is continuous across the surface
   Matrix<R> rows(std::span<const PlaceOnTriangle> places) const;
 

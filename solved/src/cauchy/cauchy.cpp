@@ -142,7 +142,7 @@ class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates>, public 
     }
   }
 
-  // Of the largest extent: in a unit of that size logarithms are no larger than need be.
+  // The exponent of the largest extent: in a unit of that size, logarithms are as small as possible.
   static int exponent_of(const Cage& cage) {
     const auto [low, high] = box_of(cage.vertices());
     return std::ilogb((high - low).maxCoeff());

@@ -51,7 +51,7 @@ std::string why_elastic_refuses(const Cage& cage) {
   return why_too_many("", static_cast<int>(cage.faces().size()), default_pieces);
 }
 
-/// u = T u_b + K t: the cage's own traction layers of displacements that are affine on edges, and beside them Kelvin's
+/// u = T u_b + K t: the cage's own traction layers of displacements that are affine on edges, plus Kelvin's
 /// displacements of tractions that are constant on pieces, which were solved for: t = D u_b.
 ///
 /// All is solved in the frame of RefinedPolygon, in which the polygon's diameter is one. The single layer is singular

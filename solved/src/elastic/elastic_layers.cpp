@@ -106,8 +106,8 @@ std::array<typename ElasticLayers<R>::Matrix2, 2> ElasticLayers<R>::tractions(st
   return matrices;
 }
 
-// What displacements of an edge's ends, less the displacement at a point on it, are multiplied with: their integral
-// exists at ends, too, where that of either diverges. It is this of the second end, and minus this of the first.
+// The factor of an edge's end displacements, less the displacement at a point on the edge. Their integral exists at
+// ends, too, where that of either diverges. The factor is this for the second end, and minus this for the first.
 template <Scalar R>
 typename ElasticLayers<R>::Matrix2 ElasticLayers<R>::pull_to_end(const OnEdge<R>& on) const {
   const auto line = polygon_.line<R>(on.edge);
@@ -123,7 +123,7 @@ typename ElasticLayers<R>::Matrix2 ElasticLayers<R>::pull_to_end(const OnEdge<R>
   return Matrix2{{turned[0], turned[1]}, {turned[2], turned[3]}};
 }
 
-// (H - T) u = -int T(u - u at the point): all shares of the vertices that the point lies between cancel but for those
+// (H - T) u = -int T(u - u at the point): shares of the vertices that the point lies between cancel, except for those
 // of edges that it is not on.
 template <Scalar R>
 void ElasticLayers<R>::put_data(const std::vector<OnEdge<R>>& on, const Vec3<R>& point, Eigen::Index row,

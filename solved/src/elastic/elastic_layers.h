@@ -18,7 +18,7 @@ struct ElasticEvaluations {
   explicit ElasticEvaluations(const std::string& name);
 };
 
-/// Tables and matrices have two rows and two columns a layer: of a displacement, and of what causes it.
+/// Tables and matrices have two rows per displacement and two columns per cause of it.
 template <Scalar R>
 class ElasticLayers {
  public:
@@ -36,7 +36,7 @@ class ElasticLayers {
   /// \param on an edge that the point is on; both that meet where it is a vertex
   void add_on(const Vec3<R>& point, std::span<const OnEdge<R>> on, int order, CoordinateTable<R>& table) const;
 
-  /// The boundary's equation K t = (H - T) u, two rows a collocation point.
+  /// The boundary's equation K t = (H - T) u, with two rows per collocation point.
   struct Equations {
     Matrix<R> displacement;  ///< K: two columns a piece, of tractions that are constant on it
     Matrix<R> data;          ///< H - T: two columns a vertex, of displacements that are affine on edges

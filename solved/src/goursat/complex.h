@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Complex numbers over any scalar. std::complex is specified for the built-in types alone, and checks each product for
+// Complex numbers over any scalar. std::complex is specified only for the built-in types, and checks each product for
 // infinities.
 #pragma once
 

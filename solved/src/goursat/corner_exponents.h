@@ -19,9 +19,9 @@ struct CornerExponent {
 };
 
 /// The exponents with 0 < Re mu < largest and Im mu >= 0, by rising real parts: the zeros of sin(mu angle) + mu
-/// sin(angle) (even) and sin(mu angle) - mu sin(angle) (odd), but for mu = 1, which belongs to a rotation. Zeros closer
-/// to each other than 1e-7 of their size count once; only next to 0.8128 pi and other angles where two meet there are
-/// such. (Williams 1952)
+/// sin(angle) (even) and sin(mu angle) - mu sin(angle) (odd), without mu = 1, which belongs to a rotation. Zeros closer
+/// to each other than 1e-7 of their size count once; they occur only next to 0.8128 pi and other angles where two meet.
+/// (Williams 1952)
 /// \param angle of the wedge, in (0, 2 pi]
 std::vector<CornerExponent> clamped_exponents(double angle, double largest);
 

@@ -9,7 +9,7 @@
 
 namespace cageproof::solved::goursat {
 
-/// Of a corner with the angle omega, in polar coordinates r and psi from its bisector.
+/// Functions for a corner with the angle omega, in polar coordinates r and psi from its bisector.
 ///
 /// Biharmonic: psi r cos psi and psi r sin psi, which with linear functions meet any linear values and constant normal
 /// derivatives on both sides; and CornerExponent's solutions, which vanish there with their gradients. Harmonic: r^(k

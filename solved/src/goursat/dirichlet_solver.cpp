@@ -20,10 +20,10 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 
-// Of the triangle's pivots, of columns of unit length. Below it rounding takes more than functions give: at 1e-14
-// coefficients are so large that their rounding shows in sums, at 1e-12 residuals rise.
+// The least pivot of the triangle, for columns of unit length. Below it, rounding takes more than functions give: at
+// 1e-14 coefficients are so large that their rounding shows in sums, at 1e-12 residuals rise.
 constexpr double kThreshold = 1e-13;
-// Of points next to edges, over the largest coordinate: more than the rounding of points, less than any residual.
+// The distance of points next to edges, over the largest coordinate: above the rounding of points, below any residual.
 constexpr double kStep = 0x1p-51;
 
 // Equations at points of the boundary: values, and of biharmonic functions normal derivatives and those along the edge,
@@ -177,7 +177,7 @@ Trial best_of(const Problem& problem, const DirichletOptions& options) {
     const double excess = trial.excess(options), before = best ? best->excess(options) : HUGE_VAL;
     const int unknowns = trial.report.unknowns;
     if (!best || excess < before) best = std::move(trial);
-    // What helps little now will not help much more.
+    // Refinement that helps little now will not help much later.
     if (excess <= 1 || excess > before / 4 || 2 * unknowns > options.most_unknowns) break;
   }
   return std::move(*best);

@@ -25,15 +25,15 @@ struct EdgePoint {
   Vec3<double> along, normal;   ///< unit vectors; the normal points outward
 };
 
-/// What solutions are to be at a point of the boundary, one number a problem. Derivatives are per length of the cage's
-/// unit, and only those of the biharmonic equation are looked at. Derivatives along the edge are those of the values.
+/// Data of solutions at a point of the boundary, one number per problem. Derivatives are per length of the cage's unit,
+/// and only the biharmonic equation uses them. Derivatives along the edge are those of the values.
 struct BoundaryData {
   std::span<double> values, normal_derivatives, derivatives_along;
 };
 /// Fills the data at one point; all are zero before. Values must be continuous along the polygon.
 using BoundaryFunction = std::function<void(const EdgePoint&, const BoundaryData&)>;
 
-/// What was solved, and how far solutions are from their data at points between those that were solved for.
+/// A description of the solution, and how far it is from its data at points between those solved for.
 struct DirichletReport {
   int degree = 0;  ///< of the polynomials
   int terms = 0;   ///< exponents of corners are taken up to terms pi/angle
@@ -62,8 +62,8 @@ struct DirichletOptions {
 /// Where a point lies, exactly. Corners belong to no edge.
 enum class PointPlace { Inside, OnEdge, OnCorner, Outside };
 
-/// Solutions of several problems in one polygon. Safe from any thread. Scaling the cage by a power of two changes no
-/// solution by a bit, but for the power.
+/// Solutions of several problems in one polygon. Safe from any thread. Scaling the cage by a power of two multiplies
+/// solutions by that power, and changes no bit otherwise.
 class DirichletSolution {
  public:
   /// \param problems the number of solutions

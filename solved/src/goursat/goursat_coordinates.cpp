@@ -30,8 +30,8 @@ BoundaryFunction coordinate_data(const Cage& cage, Equation equation) {
   };
 }
 
-// Of a cage that many ask for at a time, by whoever is first, as long as anybody keeps it: solving takes longer than
-// all that is then asked.
+// Shares the solution of a cage among all that ask for it at a time, as long as anybody keeps it, because solving takes
+// longer than all questions to it.
 class Solutions {
  public:
   std::shared_ptr<const DirichletSolution> of(const Cage& cage, Equation equation) {

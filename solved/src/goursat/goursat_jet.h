@@ -36,7 +36,7 @@ GoursatJet<R> holomorphic(const Complex<R>& g, const Complex<R>& dg, const Compl
   return {g, dg, Complex<R>(), ddg, Complex<R>(), Complex<R>()};
 }
 
-/// Rows of real functions' values and derivatives, a column a function: f; f_x, f_y; f_xx, f_xy, f_yy.
+/// Rows of real functions' values and derivatives, one column per function: f; f_x, f_y; f_xx, f_xy, f_yy.
 template <class R>
 class RowWriter {
  public:

@@ -39,7 +39,7 @@ LeastSquares solve_least_squares(Eigen::MatrixXd& a, const Eigen::MatrixXd& b, d
   revealing.compute(triangle);
   LeastSquares found;
   found.solution = revealing.solve(turned.topRows(n));
-  // What the kept rank leaves of the triangle's rows, and what lies in no column at all.
+  // The residual in the triangle's rows, from columns beyond the rank, and outside of all columns.
   const Eigen::MatrixXd left = triangle * found.solution - turned.topRows(n);
   found.residual = 0;
   for (Eigen::Index j = 0; j < b.cols(); ++j) {

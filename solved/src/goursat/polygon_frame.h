@@ -43,7 +43,7 @@ class PolygonFrame {
   int face_of_edge(int k) const { return faces_[k]; }
   /// Lengths here are 2^-exponent() times those of the cage.
   int exponent() const { return exponent_; }
-  /// Of the cage's vertices, in its unit: how points in the cage are rounded.
+  /// The largest coordinate of the cage's vertices, in its unit, by which points in the cage are rounded.
   double largest_coordinate() const { return largest_; }
   /// In the cage's unit, by edge.
   const std::vector<Segment<double>>& segments() const { return segments_; }

@@ -137,7 +137,7 @@ class HarmonicInSpace final : public CoordinatesIn<HarmonicInSpace>,
                            missing_values<R>(places));
   }
 
-  // The hat functions at places, less their double layer's limit: a row a place, a column a vertex.
+  // The hat functions at places, less their double layer's limit: one row per place, one column per vertex.
   template <Scalar R>
   Matrix<R> missing_values(const std::vector<PlaceOnTriangle>& places) const {
     constexpr std::size_t together = 64;
@@ -265,7 +265,7 @@ class HarmonicInSpace final : public CoordinatesIn<HarmonicInSpace>,
     for (int o = 0; o <= order; ++o, unit /= R(surface_.unit())) {
       const auto width = static_cast<Eigen::Index>(derivative_count(3, o));
       if (o == 0) {
-        // All points at once: a column a point.
+        // All points at once, one column per point.
         const Eigen::Map<const Matrix<R>> layer(layers.tensors[0].data(), unknowns(),
                                                 static_cast<Eigen::Index>(points));
         const Eigen::Map<const Matrix<R>> phi(own.tensors[0].data(), blocks_[0].size,

@@ -27,8 +27,8 @@ struct TriharmonicScheme {
   static constexpr std::array unknown{Layer::BiharmonicDouble, Layer::BiharmonicSingle, Layer::TriharmonicDouble,
                                       Layer::TriharmonicSingle};
 
-  // The square of the longest edge, in diameters, over ten: of powers of three the best for known functions in a
-  // square, a triangle, a pentagon and an L with 4 to 32 vertices an edge, within a factor of three.
+  // The square of the longest edge, in diameters, over ten. Among powers of three it is the best, within a factor of
+  // three, for known functions in a square, a triangle, a pentagon and an L with 4 to 32 vertices per edge.
   static double share_held_down(const RefinedPolygon& polygon) {
     double longest = 0;
     for (int e = 0; e < polygon.edges(); ++e)

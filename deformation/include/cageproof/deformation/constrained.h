@@ -9,8 +9,8 @@
 
 namespace cageproof::deformation {
 
-/// What is asked of a map f at points inside a cage, or on it where what is asked exists there. In the plane third
-/// coordinates have no part.
+/// Constraints on a map f at points inside a cage, or on it where the constrained quantities exist there. In the plane,
+/// third coordinates are ignored.
 struct Constraints {
   struct Position {
     Vec3<double> at, to;
@@ -25,7 +25,7 @@ struct Constraints {
   std::vector<Vec3<double>> hessians = {};     ///< Hf = 0
 };
 
-/// What is wrong is a constraint, and neither the cage nor an option: the message names it.
+/// A constraint is wrong, not the cage or an option; the message names it.
 class ConstraintError : public InputError {
  public:
   using InputError::InputError;
@@ -40,7 +40,7 @@ template <Scalar R>
 class ConstrainedDeformer {
  public:
   virtual ~ConstrainedDeformer() = default;
-  /// What images of points are made from.
+  /// The coordinates that images of points are made from.
   virtual const CageCoordinates& coordinates() const = 0;
   /// Rank and condition of what is solved, and what there is to warn of before any step.
   virtual DeformationReport prepared() const { return {}; }
@@ -68,9 +68,9 @@ struct ConstraintMethod {
   /// Its own; once programs ask for methods, those of the kind of coordinates after them, where it names one.
   std::vector<KindParameter> parameters = {};
   std::string_view kind = {};
-  /// Of the cages that it takes; 0: all.
+  /// The dimension of the cages that it takes; 0 means all.
   int dimension = 0;
-  /// Whether it takes positions alone.
+  /// Whether it takes only positions.
   bool positions_alone = false;
   /// \param options with all parameters, in their order, each in its range
   std::shared_ptr<const ConstrainedDeformer<double>> (*prepare)(const Cage& cage, const Constraints& constraints,

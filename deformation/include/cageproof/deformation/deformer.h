@@ -14,7 +14,7 @@
 
 namespace cageproof::deformation {
 
-/// What a method has to say of what it did.
+/// The report of a method about its computation.
 struct DeformationReport {
   std::vector<SolvedSystem> systems;
   std::vector<std::pair<std::string, double>> figures;  ///< energies, counts, by name
@@ -22,9 +22,9 @@ struct DeformationReport {
   /// About how far images are off because posed vertices are rounded to double, in sizes of the posed cage; 0 where
   /// that was not found.
   double pose_rounding = 0;
-  /// Of methods that iterate: the energy after every half step, or step.
+  /// The energy after every half step, or step, of methods that iterate.
   std::vector<double> energies = {};
-  /// Of methods whose energy may rise on the way to the constraints: what does not, after every step.
+  /// A merit that does not rise, after every step, of methods whose energy may rise on the way to the constraints.
   std::vector<double> merits = {};
 };
 
@@ -36,8 +36,8 @@ struct Pose {
   /// element, of each corner of each element where they are affine, or, of quads that are kept, of each corner of a
   /// quad and each triangle, along the unit normal there; empty for those.
   std::vector<Vec3<R>> normal_derivatives = {};
-  /// Of methods that take them: the Laplacian's density at each vertex, and its normal derivative's of each element (L'
-  /// and D' of [T24] Eq 19); empty for zeros.
+  /// Densities for methods that take them: of the Laplacian at each vertex, and of its normal derivative on each
+  /// element (L' and D' of [T24] Eq 19); empty for zeros.
   std::vector<Vec3<R>> laplacians = {}, laplacian_derivatives = {};
 };
 
@@ -56,7 +56,7 @@ class Posed {
   /// \param coordinates of the points, by Deformer::coordinates() \pre order <= Deformer::max_order()
   virtual Images<R> images(std::span<const CoordinateTable<R>> coordinates, std::size_t points, int order) const = 0;
   virtual const DeformationReport& report() const = 0;
-  /// Of methods that find the posed cage themselves (Thickness): its vertices, in their order; none of others.
+  /// The posed cage's vertices, in their order, of methods that find it themselves (Thickness); empty for others.
   virtual std::vector<Vec3<R>> vertices() const { return {}; }
 };
 
@@ -65,10 +65,10 @@ template <Scalar R>
 class Deformer {
  public:
   virtual ~Deformer() = default;
-  /// What images of points are made from.
+  /// The coordinates that images of points are made from.
   virtual const CageCoordinates& coordinates() const = 0;
   virtual int max_order() const { return coordinates().max_order(); }
-  /// What was solved for the rest cage.
+  /// The report on systems that were solved for the rest cage.
   virtual DeformationReport prepared() const { return {}; }
   /// \throws InputError for a pose that the method cannot take, naming the vertex or element
   virtual std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const = 0;
@@ -88,7 +88,7 @@ class Deformer {
 /// The open lower bound of parameters that may be zero: no double lies between.
 inline constexpr double kBelowZero = -std::numeric_limits<double>::denorm_min();
 
-/// What a method is prepared with.
+/// The options that a method is prepared with.
 struct DeformOptions {
   std::string evaluation = {};  ///< of the coordinates' formulas; empty for the recommended ones
   Triangulation triangulation = Triangulation::Shortest;
@@ -109,7 +109,7 @@ struct DeformMethod {
   /// Its own; those of the kind come after them (parameters_of), unless the method says what they are.
   std::vector<KindParameter> parameters = {};
   bool with_parameters_of_kind = true;
-  /// Those of its own that decide the coordinates, as all of the kind's do.
+  /// Its own parameters that decide the coordinates; all of the kind's parameters do, too.
   std::vector<std::string_view> coordinate_parameters = {};
   /// Whether poses may prescribe normal derivatives; other methods have their own and look at no others.
   bool takes_normal_derivatives = false;

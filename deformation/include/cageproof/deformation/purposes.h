@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each deformer is good for: one line of the catalogue, which lists and manuals show.
+// The purpose of each deformer: one line of the catalogue, which lists and manuals show.
 #pragma once
 
 #include <string_view>

@@ -13,14 +13,14 @@ struct NamedMatrix {
 };
 
 /// The matrices of a kind of regularised coordinates, computed anew: samples on the cage (S x dimension), their
-/// elements (S x 1) and normals; M_V, Phi_V, Psi_V, Phibar_V, Psibar_V (a row a sample, Eq 22-23); C_11 (vertices x
+/// elements (S x 1) and normals; M_V, Phi_V, Psi_V, Phibar_V, Psibar_V (one row per sample, Eq 22-23); C_11 (vertices x
 /// vertices), C_12 (elements x vertices), C_21 and C_22 (Eq 27, for all constructions); of (1,3) C_L, C_D (Eq 29) and
 /// gamma_D (1 x 1), too. None of other kinds.
 /// \throws InputError as CageCoordinates, and for an evaluation without limits on the cage
 std::vector<NamedMatrix> solved_matrices(std::string_view kind, const Cage& cage, const CoordinateOptions& options);
 
-/// What a pose multiplies layers with, a row a coordinate: V (phi), N (psi), L (phibar) and D (psibar) of Eq 19, whose
-/// sum its images are; fewer where the rest is zero. None of poses whose images are no such sum.
+/// The data that a pose multiplies layers with, one row per coordinate: V (phi), N (psi), L (phibar) and D (psibar) of
+/// Eq 19, whose sum its images are; fewer if the rest is zero. Empty for poses whose images are no such sum.
 std::vector<NamedMatrix> layer_data(const CageCoordinates& coordinates, const Posed<double>& posed);
 
 }  // namespace cageproof::deformation

@@ -11,10 +11,10 @@
 
 namespace cageproof::deformation {
 
-/// What multiplies the posed unit normal, of the singular values s1 >= s2 of the linear map from the rest element to
-/// the posed one: sqrt((s1^2 + s2^2)/2) (Lipman et al. 2008), (s1 + s2)/2, sqrt(s1 s2), one, or s1 s2. Of segments the
-/// one singular value, or one. On a bilinear quad the singular values differ from point to point, and their mean with a
-/// corner's basis function multiplies the corner's posed normal (quad_normals.h).
+/// The factor of the posed unit normal, from the singular values s1 >= s2 of the linear map from the rest element to
+/// the posed one: sqrt((s1^2 + s2^2)/2) (Lipman et al. 2008), (s1 + s2)/2, sqrt(s1 s2), one, or s1 s2. Segments take
+/// their one singular value, or one. On a bilinear quad the singular values differ from point to point, and their mean
+/// with a corner's basis function multiplies the corner's posed normal (quad_normals.h).
 enum class Stretch { Rms, Mean, Area, Unit, Product };
 
 /// The names of the first four, in that order: "rms", "mean", "area", "unit".
@@ -53,7 +53,7 @@ R stretch_of(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R
 template <Scalar R>
 std::vector<Vec3<R>> stretched_normals(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices);
 
-/// What poses have a normal derivative for: an element, a corner of one where they are affine, or, where quads are
+/// The owner of a pose's normal derivative: an element, an element's corner if derivatives are affine, or, if quads are
 /// kept, a normal.
 Owner normals_owner(const CageCoordinates& coordinates);
 
