@@ -186,8 +186,8 @@ class Planner {
                                [&](const Formula* formula) { return matches(options_.formulas, formula->name); });
   }
 
-  // Why there are no coordinates of the kind, empty where there are. Kinds that solve may find out when they do, so they
-  // are tried: all on a user's cage, and on embedded cages those in space, which thin walls may stop.
+  // Why there are no coordinates of the kind, empty where there are. Kinds that solve may find out when they do, so
+  // they are tried: all on a user's cage, and on embedded cages those in space, which thin walls may stop.
   std::string refusal_of(const CoordinateKind& kind, const Cage& cage) {
     if (!accepts(kind, cage)) return why_refused(kind, cage);
     const bool may_refuse = kind.solves_on_samples && cage.dimension() == 3;
