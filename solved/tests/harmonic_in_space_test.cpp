@@ -11,7 +11,7 @@ namespace {
 
 // Affine data have constant normal derivatives on each face, which the scheme contains: nothing but rounding is left.
 TEST(harmonic_in_space, have_affine_precision_at_any_level) {
-  for (const char* name : {"cube", "l-block", "twisted-bar", "thin-box"})
+  for (const char* name : {"cube", "l-block", "twisted-bar", "spiky-box"})
     for (const int level : {0, 1}) {
       const CageCoordinates h = harmonic_at_level(embedded_cage(name), level);
       for (const Vec& p : inner_points(h.elements(), 4)) {
