@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <cmath>
 #include <utility>
 
@@ -136,7 +137,9 @@ WorkPrecision coordinate_times(const Cage& cage, const std::vector<Vec3<double>>
   for_each_parallel(count, options.jobs,
                     [&](std::size_t i) { truth[i] = reference.at<Mp50>(convert<Mp50>(compared[i]), 0).front().value; });
   double sink = 0;
-  FirstColumn first(cage, points, options.triangulation);
+  // The paper's table is of cages in space.
+  std::optional<FirstColumn> first;
+  if (cage.dimension() == 3) first.emplace(cage, points, options.triangulation);
   for (const auto& [kind, evaluation] : what) {
     const CageCoordinates coordinates(cage, coordinate_kind_named(kind), evaluation, options.triangulation);
     WorkPrecisionRow row;
@@ -149,13 +152,14 @@ WorkPrecision coordinate_times(const Cage& cage, const std::vector<Vec3<double>>
     });
     summarise(std::move(errors), row);
     // Before and after, so that what else the machine does slows both sides.
-    first.time(sink);
+    if (first) first->time(sink);
     summarise_times(nanoseconds_of_points(coordinates, points, std::max(1.0, options.seconds), points.size(), sink),
                     row);
-    first.time(sink);
-    result.notes.push_back(fmt::format("{}, {}: {:.0f} ms for the mesh, {:.2g} times as long as mean_value, {}", kind,
-                                       row.evaluation, row.nanoseconds * static_cast<double>(points.size()) / 1e6,
-                                       row.median_nanoseconds / first.median(), first.evaluation()));
+    if (first) first->time(sink);
+    if (first)
+      result.notes.push_back(fmt::format("{}, {}: {:.0f} ms for the mesh, {:.2g} times as long as mean_value, {}", kind,
+                                         row.evaluation, row.nanoseconds * static_cast<double>(points.size()) / 1e6,
+                                         row.median_nanoseconds / first->median(), first->evaluation()));
     result.rows.push_back(std::move(row));
   }
   add_ratios(result);

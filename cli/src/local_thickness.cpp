@@ -48,7 +48,8 @@ Tables next_to_edges(const CageCoordinates& coordinates, double share) {
 nlohmann::ordered_json local_thickness(const CageCoordinates& coordinates, const Posed<double>& map,
                                        const std::vector<Vec3<double>>& posed, int pieces) {
   const CageElements& elements = coordinates.elements();
-  const double share = (pieces / 2 + .5) / pieces;
+  const int before_middle = pieces / 2;
+  const double share = (before_middle + .5) / pieces;
   const std::optional<Tables> limits = limits_on_edges(coordinates, share);
   const Images<double> images = map.images(limits ? *limits : next_to_edges(coordinates, share), elements.count(), 1);
   nlohmann::ordered_json edges = nlohmann::ordered_json::array();

@@ -11,7 +11,7 @@ namespace {
 
 // Affine data have constant normal derivatives on each face, which the scheme contains: nothing but rounding is left.
 TEST(harmonic_in_space, have_affine_precision_at_any_level) {
-  for (const char* name : {"cube", "l-block", "twisted-bar", "thin-box"})
+  for (const char* name : {"cube", "l-block", "twisted-bar", "spiky-box"})
     for (const int level : {0, 1}) {
       const CageCoordinates h = harmonic_at_level(embedded_cage(name), level);
       for (const Vec& p : inner_points(h.elements(), 4)) {
@@ -180,6 +180,7 @@ TEST(harmonic_in_space, refuse_what_they_cannot_do) {
   EXPECT_NE(refusal(cube, {4, 0, 1}).find("collocation"), std::string::npos);
   EXPECT_NE(refusal(polygon(unit_square), {4, 1, 2}).find("level"), std::string::npos);
   EXPECT_EQ(refusal(cube, {4, 1, 0}), "");
+  EXPECT_NE(refusal(embedded_cage("thin-box"), {4, 1, 0}).find("a wall is too thin"), std::string::npos);
   // Two cubes that share a corner's surroundings: Green coordinates sum to two on what lies within the other.
   std::vector<Vec> vertices = cube.vertices();
   std::vector<Face> faces = cube.faces();
@@ -189,6 +190,8 @@ TEST(harmonic_in_space, refuse_what_they_cannot_do) {
     faces.push_back(f);
   }
   EXPECT_NE(refusal(Cage::make("two", vertices, faces), {4, 1, 1}).find("overlaps itself"), std::string::npos);
+  for (Vec& v : vertices) v *= 0x1p600;
+  EXPECT_NE(refusal(Cage::make("vast", vertices, faces), {4, 1, 1}).find("range of double"), std::string::npos);
 }
 
 }  // namespace

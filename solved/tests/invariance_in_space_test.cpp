@@ -121,6 +121,7 @@ TEST(harmonic_on_the_cage, have_the_limits_of_places) {
 TEST(harmonic_at_many_points, are_those_of_each) {
   const CageCoordinates h = harmonic_at_level(embedded_cage("cube"), 0);
   std::vector<Vec> points;
+  points.reserve(70);
   for (int i = 0; i < 70; ++i) points.emplace_back(-0.5 + 0.0078125 * i, 0.25, 0.125);  // the first on the cage
   const auto together = h.at<double>(std::span<const Vec>(points), 2)[0];
   for (std::size_t p = 0; p < points.size(); ++p) {

@@ -25,8 +25,9 @@ class CageRoute {
   virtual double error_at(const Vec3<double>& point, const Blocks& first) const = 0;
 };
 
-/// Norm-wise over all entries, relative to the expected ones. NaN where an entry is.
-double relative_distance(std::span<const Mp100> found, std::span<const Mp100> expected);
+/// Norm-wise over all entries, relative to the expected ones' norm, or to `least` if that is larger. NaN where an entry
+/// is.
+double relative_distance(std::span<const Mp100> found, std::span<const Mp100> expected, double least = 0);
 
 /// The route of a kind on a cage. Null for kinds that have none, and on cages with more than 50 faces, where integrals
 /// in 100 digits take half a second per point; for kinds that solve equations, on cages with more than eight edges.

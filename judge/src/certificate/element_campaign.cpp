@@ -80,6 +80,7 @@ void judge_sample(const validation::TruthSource& source, const Sample& sample, c
 
 CampaignRow row_of(const Asking& asking, const Formula& formula, int order) {
   std::vector<Measured> measured;
+  measured.reserve(asking.measured.size());
   for (const auto& orders : asking.measured) measured.push_back(orders[order]);
   return row_of(std::string(asking.regime->name), order, measured,
                 [&](std::size_t i) { return exact_line(formula, asking.asked[i], 0); });

@@ -38,6 +38,7 @@ std::string sentence(const Defect& defect, const std::string& evidence, const st
 
 std::vector<CodeFinding> named_findings(const CageVerdict& verdict, std::string_view kind) {
   std::vector<CodeFinding> found;
+  found.reserve(verdict.findings.size());
   for (const CageFinding& finding : verdict.findings)
     found.push_back({std::string(finding.defect->key),
                      sentence(*finding.defect, finding.evidence, finding.ours, finding.theirs), std::string(kind), 0,

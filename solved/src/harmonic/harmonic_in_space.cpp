@@ -169,7 +169,7 @@ class HarmonicInSpace final : public CoordinatesIn<HarmonicInSpace>,
   // Affine slopes on pieces that are much longer than a wall is thick, or on faces within another part, do not meet the
   // values between the points that were solved for. Next to corners they miss them most.
   void require_values() const {
-    constexpr double at_corner = 0.9375, beside = 0.03125, most = 0.25;
+    constexpr double at_corner = 0.984375, beside = 0.0078125, most = 0.25;
     std::vector<Touching> places;
     for (int t = 0; t < surface_.triangles(); ++t)
       for (int k = 0; k < 3; ++k) {

@@ -264,8 +264,11 @@ std::array<double, 3> CageSymmetries::differences_at(const Vec3<double>& point) 
       Mp100 own = 0, below = 0;
       for (const Mp100& x : exact[b].of(o)) own += x * x;
       for (const Mp100& x : exact[b].of(o - 1)) below += x * x;
+      // Outside, coordinates that sum to zero may be nothing but rounding altogether.
+      Mp100 nothing = base_.blocks()[b].degree == 0 ? Mp100("1e-32") : Mp100(0);
+      for (int i = 0; i < o; ++i) nothing /= size2;
       worst[o] = std::max(worst[o], relative_difference(differences, along(direction, exact[b].of(o), dim),
-                                                        std::max(own, Mp100(below / size2))));
+                                                        std::max({own, Mp100(below / size2), nothing})));
     }
   return worst;
 }

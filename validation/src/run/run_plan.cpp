@@ -187,10 +187,11 @@ class Planner {
   }
 
   // Why there are no coordinates of the kind, empty where there are. Kinds that solve may find out when they do, so
-  // they are tried; on embedded cages the first solution tells.
+  // they are tried: all on a user's cage, and on embedded cages those in space, which thin walls may stop.
   std::string refusal_of(const CoordinateKind& kind, const Cage& cage) {
     if (!accepts(kind, cage)) return why_refused(kind, cage);
-    if (kind.is_sum() || (!options_.cage && !kind.solves_on_samples)) return "";
+    const bool may_refuse = kind.solves_on_samples && cage.dimension() == 3;
+    if (kind.is_sum() || (!options_.cage && !may_refuse)) return "";
     const auto [known, is_new] = refusals_.try_emplace(std::pair(std::string(cage.name()), kind.name));
     if (!is_new) return known->second;
     doing(fmt::format("{}, solving for {} coordinates", cage.name(), kind.name));

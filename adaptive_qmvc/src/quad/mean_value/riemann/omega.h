@@ -45,8 +45,8 @@ struct RiemannWorkspace {
 template <class R>
 void add_row(const R* __restrict u, int padded, const Vec3<R>& a, const Vec3<R>& e, const R& g0, const R& slope,
              const R& v, const R& length, R* __restrict column, R* __restrict rising) {
-  const R ax = a[0], ay = a[1], az = a[2], ex = e[0], ey = e[1], ez = e[2], base = g0, step = slope, height = v,
-          cell = length;
+  const R &ax = a[0], &ay = a[1], &az = a[2], &ex = e[0], &ey = e[1], &ez = e[2], &base = g0, &step = slope,
+          &height = v, &cell = length;
   for (int k = 0; k < padded; ++k) {
     const R x = ax + u[k] * ex, y = ay + u[k] * ey, z = az + u[k] * ez;
     const R square = x * x + y * y + z * z;
