@@ -192,7 +192,9 @@ class Planner {
   // they are tried: all on a user's cage, and on embedded cages those in space, which thin walls may stop.
   std::string refusal_of(const CoordinateKind& kind, const Cage& cage) {
     if (!accepts(kind, cage)) return why_refused(kind, cage);
-    const bool may_refuse = kind.solves_on_samples && cage.dimension() == 3;
+    // Extreme cages are not asked for kinds that solve.
+    const bool may_refuse =
+        kind.solves_on_samples && cage.dimension() == 3 && std::ranges::count(embedded_cage_names(), cage.name()) > 0;
     if (kind.is_sum() || (!options_.cage && !may_refuse)) return "";
     // Embedded cages are the same in all plans of a program.
     static std::map<std::tuple<std::string, std::string_view, Triangulation>, std::string> of_embedded;
