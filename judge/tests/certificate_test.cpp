@@ -19,13 +19,13 @@ Limits limits() {
   return found;
 }
 
-const CampaignRow& row(const FormulaCampaign& campaign, const std::string& regime) {
+const CampaignRow& row(const SubjectCampaign& campaign, const std::string& regime) {
   for (const CampaignRow& one : campaign.rows)
     if (one.regime == regime) return one;
   throw InputError("no such row");
 }
 
-FormulaCampaign campaign_of(ForeignCode& code, const std::string& formula) {
+SubjectCampaign campaign_of(ForeignCode& code, const std::string& formula) {
   ElementCampaignOptions options;
   options.samples = 40;
   return run_element_campaign(code, formula_named(formula), "mine", options);
@@ -40,7 +40,7 @@ TEST(certificate, sound_example_is_clean) {
   EXPECT_EQ(code.about(), "winding angle by the arctangent, 1.0");
   ASSERT_EQ(code.files().size(), 1U);
   EXPECT_EQ(code.files()[0].sha256.size(), 64U);
-  const FormulaCampaign campaign = campaign_of(code, "segment.winding_angle");
+  const SubjectCampaign campaign = campaign_of(code, "segment.winding_angle");
   EXPECT_EQ(row(campaign, "generic").samples, 40);
   EXPECT_LT(row(campaign, "generic").conditioned.error, 2);
   EXPECT_LT(row(campaign, "near-vertex").conditioned.error, 4);
@@ -66,7 +66,7 @@ TEST(certificate, promise_is_kept_or_broken_where_it_is) {
   ElementCampaignOptions options;
   options.samples = 20;
   options.regimes = "generic,far";
-  const std::vector<FormulaCampaign> campaigns{
+  const std::vector<SubjectCampaign> campaigns{
       run_element_campaign(code, formula_named("segment.winding_angle"), "mine", options)};
   using Measure = OwnPromise::Measure;
   for (const Measure measure : {Measure::Relative, Measure::Absolute, Measure::Conditioned}) {
@@ -85,7 +85,7 @@ TEST(certificate, sevens_are_other_numbers_and_a_crash_is_an_incident) {
   ElementCampaignOptions options;
   options.samples = 20;
   options.regimes = "generic,aligned";
-  const FormulaCampaign campaign = run_element_campaign(code, formula_named("triangle.single_layer"), "mine", options);
+  const SubjectCampaign campaign = run_element_campaign(code, formula_named("triangle.single_layer"), "mine", options);
   unsetenv("HOSTILE");
   code.finish();
   const auto findings = findings_of({campaign}, code.incidents());
@@ -94,7 +94,7 @@ TEST(certificate, sevens_are_other_numbers_and_a_crash_is_an_incident) {
 }
 
 TEST(certificate, not_a_number_is_a_defect_but_not_at_the_ends_of_the_range) {
-  FormulaCampaign campaign{"triangle.single_layer", false, 0, {}, {}};
+  SubjectCampaign campaign{"triangle.single_layer", false, 0, {}, {}};
   CampaignRow one;
   one.samples = 10;
   one.nonfinite = 2;
@@ -106,7 +106,7 @@ TEST(certificate, not_a_number_is_a_defect_but_not_at_the_ends_of_the_range) {
 }
 
 TEST(certificate, eight_lost_digits_are_a_defect_off_the_element_only) {
-  FormulaCampaign campaign{"triangle.single_layer", false, 0, {}, {}};
+  SubjectCampaign campaign{"triangle.single_layer", false, 0, {}, {}};
   CampaignRow one;
   one.samples = 10;
   one.regime = "near-edge";

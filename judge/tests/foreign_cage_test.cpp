@@ -102,7 +102,7 @@ TEST(foreign_cage, library_without_cages_declines_them) {
 
 TEST(foreign_cage, errors_are_those_of_the_code) {
   ForeignCode code(JUDGED_LIBRARIES "/cage.so", cage_limits());
-  const FormulaCampaign campaign = run_cage_campaign(code, kKind, "mine", {.samples = 20});
+  const SubjectCampaign campaign = run_cage_campaign(code, kKind, "mine", {.samples = 20});
   ASSERT_EQ(campaign.rows.size(), cage_regimes().size());
   for (const CampaignRow& row : campaign.rows) {
     EXPECT_EQ(row.samples, 20) << row.regime;

@@ -121,10 +121,10 @@ std::vector<Asking> ask_all(ForeignCode& code, const Request& request, const Ele
 
 }  // namespace
 
-FormulaCampaign run_element_campaign(ForeignCode& code, const Formula& formula, const std::string& name,
+SubjectCampaign run_element_campaign(ForeignCode& code, const Formula& formula, const std::string& name,
                                      const ElementCampaignOptions& options) {
   const Formula& computed = options.ours ? options.ours->formula() : formula;
-  FormulaCampaign campaign{std::string(computed.name), false, code.order_of(formula, options.single), {}, {}};
+  SubjectCampaign campaign{std::string(computed.name), false, code.order_of(formula, options.single), {}, {}};
   if (options.ours) campaign.order = std::min(campaign.order, options.ours->max_order());
   const validation::TruthSource source = quick_truth_source(computed);
   constexpr int costly = 8, least = 10;

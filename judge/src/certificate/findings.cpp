@@ -12,7 +12,7 @@ namespace {
 // Lengths whose powers leave the range of the scalar are there.
 bool is_of_range(const CampaignRow& row) { return row.regime == "scaled" || row.regime == "tiny"; }
 
-void add_nonfinite(const FormulaCampaign& campaign, std::vector<CodeFinding>& found) {
+void add_nonfinite(const SubjectCampaign& campaign, std::vector<CodeFinding>& found) {
   for (const CampaignRow& row : campaign.rows) {
     if (row.nonfinite == 0) continue;
     const bool range = is_of_range(row);
@@ -25,7 +25,7 @@ void add_nonfinite(const FormulaCampaign& campaign, std::vector<CodeFinding>& fo
 }
 
 // Where half of all easy inputs have not three digits, it is another formula, or another convention.
-void add_other_numbers(const FormulaCampaign& campaign, std::vector<CodeFinding>& found) {
+void add_other_numbers(const SubjectCampaign& campaign, std::vector<CodeFinding>& found) {
   constexpr double three_digits = 1e-3;
   for (const CampaignRow& row : campaign.rows)
     if ((row.regime == "generic" || row.regime == "inside") && row.samples > 0 && row.relative.median > three_digits)
@@ -39,7 +39,7 @@ void add_other_numbers(const FormulaCampaign& campaign, std::vector<CodeFinding>
 // Half of double's digits, beyond what rounding the input costs.
 constexpr double half_the_digits = 0x1p26;
 
-void add_inaccurate(const FormulaCampaign& campaign, std::vector<CodeFinding>& found) {
+void add_inaccurate(const SubjectCampaign& campaign, std::vector<CodeFinding>& found) {
   const std::string formula(campaign.subject);
   for (const CampaignRow& row : campaign.rows) {
     // Points a rounding off an element round to either side of it.
@@ -81,20 +81,20 @@ bool Certificate::has_defects() const {
 
 bool Certificate::is_undecided() const {
   if (skipped > 0) return true;
-  for (const FormulaCampaign& campaign : formulas)
+  for (const SubjectCampaign& campaign : formulas)
     for (const CampaignRow& row : campaign.rows)
       if (row.samples == 0 || row.declined > 0) return true;
   return false;
 }
 
-std::vector<CodeFinding> findings_of(const std::vector<FormulaCampaign>& campaigns,
+std::vector<CodeFinding> findings_of(const std::vector<SubjectCampaign>& campaigns,
                                      const std::vector<Incident>& incidents) {
   std::vector<CodeFinding> found;
   found.reserve(incidents.size());
   for (const Incident& incident : incidents)
     found.push_back(
         {incident.kind, incident.text, incident.formula, incident.order, incident.input, incident.count, true});
-  for (const FormulaCampaign& campaign : campaigns) {
+  for (const SubjectCampaign& campaign : campaigns) {
     const std::size_t before = found.size();
     add_other_numbers(campaign, found);
     // Another formula is wrong everywhere, so that no regime is named.
@@ -104,9 +104,9 @@ std::vector<CodeFinding> findings_of(const std::vector<FormulaCampaign>& campaig
   return found;
 }
 
-OwnPromise judged_promise(OwnPromise promise, const std::vector<FormulaCampaign>& campaigns, bool single) {
+OwnPromise judged_promise(OwnPromise promise, const std::vector<SubjectCampaign>& campaigns, bool single) {
   const double unit = single ? 0x1p-24 : 0x1p-53;
-  for (const FormulaCampaign& campaign : campaigns)
+  for (const SubjectCampaign& campaign : campaigns)
     for (const CampaignRow& row : campaign.rows) {
       const LargestError* largest = nullptr;
       const double error = error_of(row, promise.measure, unit, largest);

@@ -36,7 +36,7 @@ Json json_of(const CampaignRow& row) {
           {"absolute", json_of(row.absolute)}};
 }
 
-Json json_of(const FormulaCampaign& campaign) {
+Json json_of(const SubjectCampaign& campaign) {
   Json rows = Json::array(), times = Json::array();
   for (const CampaignRow& row : campaign.rows) rows.push_back(json_of(row));
   for (const PairTime& time : campaign.times)
@@ -59,7 +59,7 @@ Json json_of(const CodeFinding& finding) {
 std::string json_of(const Certificate& c) {
   Json files = Json::array(), formulas = Json::array(), findings = Json::array();
   for (const JudgedFile& file : c.files) files.push_back({{"path", file.path}, {"sha256", file.sha256}});
-  for (const FormulaCampaign& campaign : c.formulas) formulas.push_back(json_of(campaign));
+  for (const SubjectCampaign& campaign : c.formulas) formulas.push_back(json_of(campaign));
   for (const CodeFinding& finding : c.findings) findings.push_back(json_of(finding));
   Json promise = nullptr;
   if (c.promise)

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<const char*, 3> order_names{"value", "gradient", "Hessian"};
 
-std::string times_text(const FormulaCampaign& campaign) {
+std::string times_text(const SubjectCampaign& campaign) {
   std::string text;
   for (const PairTime& time : campaign.times)
     text += fmt::format("{}{} {} {:.0f} ns", text.empty() ? "" : ", ", time.evaluation, order_names[time.order],
@@ -50,7 +50,7 @@ const std::vector<std::string>& headings() {
 
 }  // namespace
 
-std::string table_of(const FormulaCampaign& campaign, bool with_inputs) {
+std::string table_of(const SubjectCampaign& campaign, bool with_inputs) {
   std::string text = fmt::format("{}, up to the {}; time a pair: {}\n", campaign.subject, order_names[campaign.order],
                                  times_text(campaign));
   text += fmt::format("  {:<12}{:<9}{:>7}  {:>8}{:>9}{:>7}  {:>8}{:>9}  {}\n", "regime", "order", "samples", "relative",
@@ -91,7 +91,7 @@ std::string markdown_of(const Certificate& c) {
                         c.promise->bound, c.promise->is_kept ? "kept" : "BROKEN");
     for (const std::string& broken : c.promise->broken) text += fmt::format("* {}\n", broken);
   }
-  for (const FormulaCampaign& campaign : c.formulas) {
+  for (const SubjectCampaign& campaign : c.formulas) {
     text += fmt::format("\n## {}\n\nTime for a pair of an element and a point: {}.\n\n", campaign.subject,
                         times_text(campaign));
     std::string rule;

@@ -25,22 +25,20 @@ constexpr double kRoundoff = 0x1p-53;
 class JudgedCage {
  public:
   JudgedCage(const CageQuestion& question, const CoordinateKind& kind)
-      : cage_(triangle_cage(question)),
-        exact_(cage_, kind, CoordinateOptions{"closed_form"}),
-        quick_(cage_, kind, CoordinateOptions{}) {
+      : cage_(triangle_cage(question)), coordinates_(cage_, kind, CoordinateOptions{}) {
     for (const Vec3<double>& vertex : question.vertices) reach_ = std::max(reach_, vertex.lpNorm<Eigen::Infinity>());
   }
 
   std::size_t count() const {
     std::size_t sum = 0;
-    for (const CoordinateBlock& block : exact_.blocks()) sum += static_cast<std::size_t>(block.size);
+    for (const CoordinateBlock& block : coordinates_.blocks()) sum += static_cast<std::size_t>(block.size);
     return sum;
   }
 
   Measured measure(const Vec3<double>& point, const std::vector<double>& theirs) const {
     Measured found;
-    const auto truth = exact_.at<Mp50>(convert<Mp50>(point), 0);
-    const auto slopes = quick_.at<double>(point, 1);
+    const auto truth = coordinates_.at<Mp50>(convert<Mp50>(point), 0);
+    const auto slopes = coordinates_.at<double>(point, 1);
     std::size_t begin = 0;
     for (std::size_t b = 0; b < truth.size(); begin += truth[b++].value.size())
       add(truth[b], slopes[b], theirs, begin, found);
@@ -71,8 +69,8 @@ class JudgedCage {
   }
 
   Cage cage_;
-  CageCoordinates exact_, quick_;
-  double reach_ = 0;  // largest coordinate, whose rounding moves vertices and points
+  CageCoordinates coordinates_;  // in 50 digits the closed forms
+  double reach_ = 0;             // largest coordinate, whose rounding moves vertices and points
 };
 
 // The time for a point and a triangle, of the code and of the suite's own evaluations.
@@ -94,7 +92,7 @@ std::vector<PairTime> cage_times(ForeignCode& code, std::string_view kind, const
     least = std::min(least, nanoseconds);
   }
   times.push_back({name, 0, least / pairs});
-  for (const std::string_view evaluation : {std::string_view("hybrid"), quickest}) {
+  for (const std::string_view evaluation : {std::string_view(), quickest}) {
     const CageCoordinates own(triangle_cage(question), row, CoordinateOptions{std::string(evaluation)});
     std::vector<CoordinateTable<double>> tables;
     least = std::numeric_limits<double>::infinity();
@@ -140,9 +138,9 @@ WholeCageFunction whole_cage_function(ForeignCode& code, std::string_view kind) 
   };
 }
 
-FormulaCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, const std::string& name,
+SubjectCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, const std::string& name,
                                   const ElementCampaignOptions& options) {
-  FormulaCampaign campaign{std::string(kind), true, 0, {}, {}};
+  SubjectCampaign campaign{std::string(kind), true, 0, {}, {}};
   const CoordinateKind& row = coordinate_kind_named(kind);
   std::map<const CagePlaces*, std::unique_ptr<JudgedCage>> cages;
   std::vector<Asking> all;

@@ -40,7 +40,7 @@ struct Certificate {
   std::string version, commit, started, command_line, scalar;  ///< of this program and its run
   int samples = 0;
   std::uint64_t seed = 0;
-  std::vector<FormulaCampaign> formulas;
+  std::vector<SubjectCampaign> formulas;
   std::vector<CodeFinding> findings;
   std::uint64_t skipped = 0;  ///< inputs that were not asked
   std::optional<OwnPromise> promise;
@@ -51,7 +51,7 @@ struct Certificate {
 };
 
 /// The findings that follow from errors and incidents, without the search for named defects.
-std::vector<CodeFinding> findings_of(const std::vector<FormulaCampaign>& campaigns,
+std::vector<CodeFinding> findings_of(const std::vector<SubjectCampaign>& campaigns,
                                      const std::vector<Incident>& incidents);
 /// A formula's convention and defects by name, with advice and the page of docs/ that derives the right form.
 /// \param formula what the code was asked for
@@ -63,14 +63,14 @@ std::vector<CodeFinding> named_findings(const CageVerdict& verdict, std::string_
 /// defect was named
 std::vector<CodeFinding> beside_named(std::vector<CodeFinding> found, bool has_named);
 /// Whether the campaigns keep a promise. \param single whether they were in float
-OwnPromise judged_promise(OwnPromise promise, const std::vector<FormulaCampaign>& campaigns, bool single);
+OwnPromise judged_promise(OwnPromise promise, const std::vector<SubjectCampaign>& campaigns, bool single);
 
 /// The certificate as JSON, "schema": "cageproof-certificate", version 1. Infinite numbers are the string "inf".
 std::string json_of(const Certificate& certificate);
 /// The same as a page of Markdown.
 std::string markdown_of(const Certificate& certificate);
 /// The table of a formula, as it is printed. \param width of the longest line of input, 0: inputs are left out
-std::string table_of(const FormulaCampaign& campaign, bool with_inputs);
+std::string table_of(const SubjectCampaign& campaign, bool with_inputs);
 /// Correct decimal digits of a relative error: 0 to 17.
 double digits_of(double relative_error);
 

@@ -56,7 +56,7 @@ struct PairTime {
 };
 
 /// Rows and times of one formula, or of one kind of coordinates.
-struct FormulaCampaign {
+struct SubjectCampaign {
   std::string subject;  ///< the formula's name, or the kind's
   bool is_kind = false;
   int order = 0;  ///< highest that the code gives
@@ -67,7 +67,7 @@ struct FormulaCampaign {
 /// Asks all samples, in one process as far as it lives, and measures the answers. Rows are of the formula that
 /// options.ours computes, where it is set, and to its order.
 /// \param formula what the code is asked for \pre code.order_of(formula) >= 0
-FormulaCampaign run_element_campaign(ForeignCode& code, const Formula& formula, const std::string& name,
+SubjectCampaign run_element_campaign(ForeignCode& code, const Formula& formula, const std::string& name,
                                      const ElementCampaignOptions& options);
 
 }  // namespace cageproof::judge

@@ -55,7 +55,7 @@ WholeCageFunction whole_cage_function(ForeignCode& code, std::string_view kind);
 /// to the largest coordinate of the block: of all vertices, or of all faces.
 /// \param kind as for judge_whole_cage \param name of the code in the times
 /// \param options regimes as cage_regimes() names them; `single` and `ours` do not matter
-FormulaCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, const std::string& name,
+SubjectCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, const std::string& name,
                                   const ElementCampaignOptions& options);
 
 /// "inside", "near-face", "near-edge", "near-vertex", "on-face", "on-edge", "on-vertex", "units", "offset".
