@@ -10,7 +10,7 @@
 namespace cageproof::adaptive_qmvc {
 namespace {
 
-class MaximumEntropy final : public CoordinatesIn<MaximumEntropy> {
+class MaximumEntropy final : public CoordinatesInDouble<MaximumEntropy> {
  public:
   MaximumEntropy(const Cage& cage, const CoordinateOptions& options)
       : prior_(cage, coordinate_kind_named("quad_mean_value"), CoordinateOptions{.evaluation = options.evaluation}),
@@ -31,17 +31,12 @@ class MaximumEntropy final : public CoordinatesIn<MaximumEntropy> {
 
   template <Scalar R>
   void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
-    if constexpr (std::same_as<R, float>) {
-      compute_in_double(points, tables,
-                        [&](auto wide, auto wide_tables) { compute<double>(wide, order, wide_tables); });
-    } else {
-      Result<R> found;
-      for (std::size_t p = 0; p < points.size(); ++p) {
-        maximum_entropy(vertices_, prior_.at<R>(points[p], order).front(), points[p], size_, order, found);
-        for (int o = 0; o <= order; ++o)
-          std::ranges::copy(found.of(o),
-                            tables[0].tensors[o].begin() + static_cast<std::ptrdiff_t>(p * tables[0].stride[o]));
-      }
+    Result<R> found;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      maximum_entropy(vertices_, prior_.at<R>(points[p], order).front(), points[p], size_, order, found);
+      for (int o = 0; o <= order; ++o)
+        std::ranges::copy(found.of(o),
+                          tables[0].tensors[o].begin() + static_cast<std::ptrdiff_t>(p * tables[0].stride[o]));
     }
   }
 

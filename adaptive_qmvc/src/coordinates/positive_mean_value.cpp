@@ -48,7 +48,7 @@ bool is_behind(const SeenTriangle<double>& u, const SeenTriangle<double>& t) {
   return true;
 }
 
-class PositiveMeanValue final : public CoordinatesIn<PositiveMeanValue> {
+class PositiveMeanValue final : public CoordinatesInDouble<PositiveMeanValue> {
  public:
   PositiveMeanValue(const Cage& cage, Triangulation rule)
       : elements_(cage, false, rule), places_(cage, false, rule), vertices_(elements_.vertices()) {
@@ -63,14 +63,9 @@ class PositiveMeanValue final : public CoordinatesIn<PositiveMeanValue> {
   bool is_exact_in(ScalarKind scalar) const override { return scalar != ScalarKind::Digits200; }
 
   template <Scalar R>
-  void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
-    if constexpr (std::same_as<R, float>) {
-      compute_in_double(points, tables,
-                        [&](auto wide, auto wide_tables) { compute<double>(wide, order, wide_tables); });
-    } else {
-      for (std::size_t p = 0; p < points.size(); ++p)
-        put(points[p], std::span(tables[0].tensors[0]).subspan(p * tables[0].stride[0], vertices_.size()));
-    }
+  void compute(std::span<const Vec3<R>> points, int /*order*/, std::span<CoordinateTable<R>> tables) const {
+    for (std::size_t p = 0; p < points.size(); ++p)
+      put(points[p], std::span(tables[0].tensors[0]).subspan(p * tables[0].stride[0], vertices_.size()));
   }
 
  private:

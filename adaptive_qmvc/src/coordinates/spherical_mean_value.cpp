@@ -24,7 +24,7 @@ namespace {
 // roundings.
 constexpr double kMostTerms = 4;
 
-class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
+class SphericalCoordinates final : public CoordinatesInDouble<SphericalCoordinates> {
  public:
   explicit SphericalCoordinates(const Cage& cage)
       : elements_(cage, true, Triangulation::Shortest),
@@ -49,15 +49,10 @@ class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
 
   template <Scalar R>
   void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
-    if constexpr (std::same_as<R, float>) {
-      compute_in_double(points, tables,
-                        [&](auto wide, auto wide_tables) { compute<double>(wide, order, wide_tables); });
-    } else {
-      for (std::size_t p = 0; p < points.size(); ++p) {
-        if (!put_limit(points[p], p, order, tables[0])) {
-          if (order == 0) put<R>(points[p], p, order, tables[0]);
-          else put<SecondOrder<R>>(points[p], p, order, tables[0]);
-        }
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      if (!put_limit(points[p], p, order, tables[0])) {
+        if (order == 0) put<R>(points[p], p, order, tables[0]);
+        else put<SecondOrder<R>>(points[p], p, order, tables[0]);
       }
     }
   }

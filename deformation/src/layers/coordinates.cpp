@@ -12,7 +12,7 @@
 namespace cageproof::deformation {
 namespace {
 
-class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates>,
+class RegularisedCoordinates final : public CoordinatesInDouble<RegularisedCoordinates>,
                                      public SolvesSystems,
                                      public HasLimits,
                                      public HasTerms {
@@ -86,12 +86,7 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
 
   template <Scalar R>
   void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
-    if constexpr (std::same_as<R, float>) {
-      compute_in_double(points, tables,
-                        [&](auto wide, auto wide_tables) { compute<double>(wide, order, wide_tables); });
-    } else {
-      put<R>(layers_.at<R>(points, order), points.size(), order, tables);
-    }
+    put<R>(layers_.at<R>(points, order), points.size(), order, tables);
   }
 
  private:

@@ -5,14 +5,14 @@
 #include "../boundary/boundary_parameters.h"
 #include "../boundary/collocation.h"
 
-#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/coordinates/coordinates_in_double.h"
 
 namespace cageproof::solved {
 namespace {
 
 // In f = sum alpha_j f_j + sum beta_j d_j a similarity of the edge gives d_j = -i (f_next - f_j)/length_j for the
 // outward normal. So C_j = alpha_j + i (beta_j/length_j - beta_before/length_before).
-class ComplexBiharmonic final : public CoordinatesIn<ComplexBiharmonic>,
+class ComplexBiharmonic final : public CoordinatesInDouble<ComplexBiharmonic>,
                                 public SolvesSystems,
                                 public HasLimits,
                                 public HasTerms {
@@ -65,12 +65,7 @@ class ComplexBiharmonic final : public CoordinatesIn<ComplexBiharmonic>,
 
   template <Scalar R>
   void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
-    if constexpr (std::same_as<R, float>) {
-      compute_in_double(points, tables,
-                        [&](auto wide, auto wide_tables) { compute<double>(wide, order, wide_tables); });
-    } else {
-      put<R>(real_.at<R>(points, order), points.size(), order, -1, tables);
-    }
+    put<R>(real_.at<R>(points, order), points.size(), order, -1, tables);
   }
 
  private:

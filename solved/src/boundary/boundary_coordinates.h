@@ -4,6 +4,7 @@
 
 #include "boundary_layers.h"
 #include "boundary_parameters.h"
+#include "on_edges.h"
 #include "collocation.h"
 
 #include "cageproof/core/coordinates/coordinates_in_double.h"
@@ -50,7 +51,7 @@ inline constexpr std::string_view offset_evaluation = "offset-1e-6";
 /// edges, too, 3 for triharmonic ones of Laplacians at vertices, too; `unknown`, the layers that densities are of;
 /// `label` of the first block; solve<R>(polygon, layers, parameters, inset, whether to describe the systems).
 template <class Scheme>
-class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Scheme>>,
+class BoundaryCoordinates final : public CoordinatesInDouble<BoundaryCoordinates<Scheme>>,
                                   public SolvesSystems,
                                   public HasLimits,
                                   public HasTerms,
@@ -143,14 +144,9 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
 
   template <Scalar R>
   void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
-    if constexpr (std::same_as<R, float>) {
-      compute_in_double(points, tables,
-                        [&](auto wide, auto wide_tables) { compute<double>(wide, order, wide_tables); });
-    } else {
-      constexpr std::size_t together = 32;  // tables of all nodes at so many points stay in the cache
-      for (std::size_t first = 0; first < points.size(); first += together)
-        compute_block(points.subspan(first, std::min(together, points.size() - first)), first, order, tables);
-    }
+    constexpr std::size_t together = 32;  // tables of all nodes at so many points stay in the cache
+    for (std::size_t first = 0; first < points.size(); first += together)
+      compute_block(points.subspan(first, std::min(together, points.size() - first)), first, order, tables);
   }
 
  private:
@@ -319,50 +315,24 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     return densities.own * together;
   }
 
-  // Points that are no doubles are taken to lie off the cage, as sums over elements take them.
-  template <Scalar R>
-  std::vector<Touching> touching(const Vec3<R>& point) const {
-    const Vec3<double> rounded = convert<double>(point);
-    if (convert<R>(rounded) != point) return {};
-    return green_.elements().touching(rounded);
-  }
-
   template <Scalar R>
   void add_layers(const BoundaryLayers<R>& layers, std::span<const Vec3<R>> points, int order,
                   std::span<CoordinateTable<R>> tables) const {
     const std::vector<At<R>> at = places_of<R>(points);
-    std::vector<std::vector<Touching>> on;
-    for (const Vec3<R>& point : points) on.push_back(touching(point));
-    if (std::ranges::all_of(on, [](const auto& touches) { return touches.empty(); }))
+    std::vector<std::vector<OnEdge<R>>> on;
+    for (const Vec3<R>& point : points) on.push_back(on_edges(polygon_, green_.elements(), point));
+    if (std::ranges::all_of(on, [](const auto& edges) { return edges.empty(); }))
       return layers.add(Scheme::unknown, at, order, tables);
     for (std::size_t p = 0; p < points.size(); ++p) {
       std::vector<CoordinateTable<R>> one;
       one.reserve(std::size(Scheme::unknown));
       for (const Layer layer : Scheme::unknown) one.push_back(layers.table(layer, 1, order));
       if (on[p].empty()) layers.add(Scheme::unknown, std::span(&at[p], 1), order, one);
-      else layers.add_on(Scheme::unknown, at[p], places<R>(on[p], at[p]), order, one);
+      else layers.add_on(Scheme::unknown, at[p], on[p], order, one);
       for (std::size_t k = 0; k < one.size(); ++k)
         for (int o = 0; o <= order; ++o)
           std::ranges::copy(one[k].tensors[o], &tables[k].tensors[o][p * tables[k].stride[o]]);
     }
-  }
-
-  // Which edges a point on the cage is on, and how far along.
-  template <Scalar R>
-  std::vector<OnEdge<R>> places(const std::vector<Touching>& touches, const At<R>& at) const {
-    std::vector<OnEdge<R>> found;
-    for (const Touching& touch : touches) {
-      const auto line = polygon_.line<R>(touch.element);
-      const int from = polygon_.seer(touch.element, 0);
-      R steps = line.direction.dot(polygon_.seen_from<R>(from, at) - polygon_.along<R>(touch.element, R(0), from)) /
-                line.piece;
-      using std::abs, std::round;
-      // Rounding may keep a node of the refined polygon from being a whole number.
-      const R whole = round(steps);
-      if (abs(steps - whole) <= 16 * polygon_.pieces_an_edge() * unit_roundoff<R>()) steps = whole;
-      found.push_back({touch.element, steps});
-    }
-    return found;
   }
 
   template <Scalar R>

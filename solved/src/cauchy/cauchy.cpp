@@ -21,7 +21,7 @@ namespace {
 // Many points at once take int_s Gamma_j (x.n I + n x' - x n')/(2 pi r^2) instead, the matrix of the same complex
 // number and Kelvin's traction where nu is infinite: differences of logarithms over lengths lose what a short segment
 // is shorter than a block's largest entry.
-class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates>, public HasTerms {
+class CauchyCoordinates final : public CoordinatesInDouble<CauchyCoordinates>, public HasTerms {
  public:
   CauchyCoordinates(const Cage& cage, const CoordinateOptions& options)
       : exponent_(exponent_of(cage)),
@@ -89,34 +89,29 @@ class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates>, public 
 
   template <Scalar R>
   void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
-    if constexpr (std::same_as<R, float>) {
-      compute_in_double(points, tables,
-                        [&](auto wide, auto wide_tables) { compute<double>(wide, order, wide_tables); });
-    } else {
-      using std::hypot, std::ldexp;
-      std::vector<Vec3<R>> scaled;
-      for (const Vec3<R>& p : points) scaled.push_back(Vec3<R>(ldexp(p[0], -exponent_), ldexp(p[1], -exponent_), R(0)));
-      if constexpr (std::same_as<R, double>)
-        if (whole_) return take_tractions(scaled, order, tables);
-      const auto green = green_.at<R>(scaled, order);
-      const CageElements& elements = green_.elements();
-      for (int o = 0; o <= order; ++o) {
-        const std::size_t width = derivative_count(2, o), stride = tables[0].stride[o];
-        for (std::size_t i = 0; i < green[0].tensors[o].size(); ++i)
-          tables[0].tensors[o][i] = ldexp(green[0].tensors[o][i], -o * exponent_);
-        for (std::size_t e = 0; e < elements.count(); ++e) {
-          const auto ends = elements.vertices_of(e);
-          const Vec3<R> along = convert<R>(elements.vertices()[ends[1]]) - convert<R>(elements.vertices()[ends[0]]);
-          const R length = hypot(along[0], along[1]);
-          for (std::size_t p = 0; p < points.size(); ++p)
-            for (std::size_t d = 0; d < width; ++d) {
-              const R part =
-                  ldexp(R(green[1].tensors[o][p * green[1].stride[o] + e * width + d] / length), -o * exponent_);
-              R* const at = &tables[1].tensors[o][p * stride + d];
-              at[ends[0] * width] += part;
-              at[ends[1] * width] -= part;
-            }
-        }
+    using std::hypot, std::ldexp;
+    std::vector<Vec3<R>> scaled;
+    for (const Vec3<R>& p : points) scaled.push_back(Vec3<R>(ldexp(p[0], -exponent_), ldexp(p[1], -exponent_), R(0)));
+    if constexpr (std::same_as<R, double>)
+      if (whole_) return take_tractions(scaled, order, tables);
+    const auto green = green_.at<R>(scaled, order);
+    const CageElements& elements = green_.elements();
+    for (int o = 0; o <= order; ++o) {
+      const std::size_t width = derivative_count(2, o), stride = tables[0].stride[o];
+      for (std::size_t i = 0; i < green[0].tensors[o].size(); ++i)
+        tables[0].tensors[o][i] = ldexp(green[0].tensors[o][i], -o * exponent_);
+      for (std::size_t e = 0; e < elements.count(); ++e) {
+        const auto ends = elements.vertices_of(e);
+        const Vec3<R> along = convert<R>(elements.vertices()[ends[1]]) - convert<R>(elements.vertices()[ends[0]]);
+        const R length = hypot(along[0], along[1]);
+        for (std::size_t p = 0; p < points.size(); ++p)
+          for (std::size_t d = 0; d < width; ++d) {
+            const R part =
+                ldexp(R(green[1].tensors[o][p * green[1].stride[o] + e * width + d] / length), -o * exponent_);
+            R* const at = &tables[1].tensors[o][p * stride + d];
+            at[ends[0] * width] += part;
+            at[ends[1] * width] -= part;
+          }
       }
     }
   }

@@ -4,6 +4,7 @@
 
 #include "../boundary/collocation.h"
 #include "../boundary/boundary_parameters.h"
+#include "../boundary/on_edges.h"
 
 #include "cageproof/core/coordinates/coordinates_in_double.h"
 #include "cageproof/core/input_error.h"
@@ -58,7 +59,7 @@ std::string why_elastic_refuses(const Cage& cage) {
 /// for certain sizes of a domain (degenerate scales), a disc's radius exp(1/(2 (3 - 4 nu))) > 1 being one; its smallest
 /// energy per squared force falls where a domain grows, so that none within such a disc has any, and sets of that
 /// diameter lie in a disc of radius 1/sqrt(3).
-class ElasticCoordinates final : public CoordinatesIn<ElasticCoordinates>, public SolvesSystems, public HasTerms {
+class ElasticCoordinates final : public CoordinatesInDouble<ElasticCoordinates>, public SolvesSystems, public HasTerms {
  public:
   ElasticCoordinates(const Cage& cage, const CoordinateOptions& options)
       : parameters_(options.parameters),
@@ -109,16 +110,11 @@ class ElasticCoordinates final : public CoordinatesIn<ElasticCoordinates>, publi
 
   template <Scalar R>
   void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
-    if constexpr (std::same_as<R, float>) {
-      compute_in_double(points, tables,
-                        [&](auto wide, auto wide_tables) { compute<double>(wide, order, wide_tables); });
-    } else {
-      constexpr std::size_t together = 32;  // tables of all pieces at so many points stay in the cache
-      for (std::size_t first = 0; first < points.size(); first += together) {
-        const auto block = points.subspan(first, std::min(together, points.size() - first));
-        put<R>(prepared<R>().tractions, somigliana_.at<R>(block, order)[0], layers_at<R>(block, order), block.size(),
-               first, order, tables[0]);
-      }
+    constexpr std::size_t together = 32;  // tables of all pieces at so many points stay in the cache
+    for (std::size_t first = 0; first < points.size(); first += together) {
+      const auto block = points.subspan(first, std::min(together, points.size() - first));
+      put<R>(prepared<R>().tractions, somigliana_.at<R>(block, order)[0], layers_at<R>(block, order), block.size(),
+             first, order, tables[0]);
     }
   }
 
@@ -162,7 +158,7 @@ class ElasticCoordinates final : public CoordinatesIn<ElasticCoordinates>, publi
     };
     for (std::size_t p = 0; p < points.size(); ++p) {
       const Vec3<R> in_frame = polygon_.seen_from<R>(0, {points[p]});
-      const std::vector<OnEdge<R>> on = on_edges(points[p], in_frame);
+      const std::vector<OnEdge<R>> on = on_edges(polygon_, somigliana_.elements(), points[p]);
       if (on.empty()) {
         off.push_back(in_frame);
         places.push_back(p);
@@ -176,23 +172,6 @@ class ElasticCoordinates final : public CoordinatesIn<ElasticCoordinates>, publi
     layers.add(off, order, rest);
     for (std::size_t k = 0; k < off.size(); ++k) put(rest, k, places[k]);
     return all;
-  }
-
-  template <Scalar R>
-  std::vector<OnEdge<R>> on_edges(const Vec3<R>& point, const Vec3<R>& in_frame) const {
-    const Vec3<double> rounded = convert<double>(point);
-    std::vector<OnEdge<R>> found;
-    if (convert<R>(rounded) != point) return found;
-    for (const Touching& touch : somigliana_.elements().touching(rounded)) {
-      const auto line = polygon_.line<R>(touch.element);
-      R steps = line.direction.dot(in_frame - polygon_.along<R>(touch.element, R(0), 0)) / line.piece;
-      using std::abs, std::round;
-      // A node of the refined polygon, except for rounding.
-      const R whole = round(steps);
-      if (abs(steps - whole) <= 16 * polygon_.pieces_an_edge() * unit_roundoff<R>()) steps = whole;
-      found.push_back({touch.element, steps});
-    }
-    return found;
   }
 
   template <Scalar R>

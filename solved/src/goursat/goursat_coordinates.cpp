@@ -77,7 +77,7 @@ Solutions& solutions() {
   return all;
 }
 
-class GoursatCoordinates final : public CoordinatesIn<GoursatCoordinates>, public SolvesSystems {
+class GoursatCoordinates final : public CoordinatesInDouble<GoursatCoordinates>, public SolvesSystems {
  public:
   GoursatCoordinates(const Cage& cage, Equation equation)
       : equation_(equation), elements_(cage, false, {}), solution_(solutions().of(cage, equation)) {
@@ -114,10 +114,7 @@ class GoursatCoordinates final : public CoordinatesIn<GoursatCoordinates>, publi
 
   template <Scalar R>
   void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
-    if constexpr (std::same_as<R, float>)
-      compute_in_double(points, tables, [&](auto wide, auto to) { compute<double>(wide, order, to); });
-    else
-      for (std::size_t p = 0; p < points.size(); ++p) put(points[p], p, order, tables);
+    for (std::size_t p = 0; p < points.size(); ++p) put(points[p], p, order, tables);
   }
 
  private:

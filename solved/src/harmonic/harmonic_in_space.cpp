@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "harmonic_in_space.h"
 
+#include "../boundary/touching.h"
 #include "../boundary_in_space/square_system.h"
 #include "../boundary_in_space/surface_layer.h"
 
@@ -27,7 +28,7 @@ Evaluation single_layer_by(const std::string& name) {
 
 /// lambda = phi + psi D: the cage's own phi, which knows on which side of the cage a point lies and has the exact
 /// limits on it, and the single layers of the pieces' corners times their normal derivatives D.
-class HarmonicInSpace final : public CoordinatesIn<HarmonicInSpace>,
+class HarmonicInSpace final : public CoordinatesInDouble<HarmonicInSpace>,
                               public SolvesSystems,
                               public HasLimits,
                               public HasTerms {
@@ -89,16 +90,11 @@ class HarmonicInSpace final : public CoordinatesIn<HarmonicInSpace>,
 
   template <Scalar R>
   void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
-    if constexpr (std::same_as<R, float>) {
-      compute_in_double(points, tables,
-                        [&](auto wide, auto wide_tables) { compute<double>(wide, order, wide_tables); });
-    } else {
-      constexpr std::size_t together = 32;  // tables of all corners at so many points stay in the cache
-      for (std::size_t first = 0; first < points.size(); first += together) {
-        const auto some = points.subspan(first, std::min(together, points.size() - first));
-        put<R>(prepared<R>().slopes, green_.at<R>(some, order)[0], layers_at<R>(some, order), some.size(), first, order,
-               tables[0]);
-      }
+    constexpr std::size_t together = 32;  // tables of all corners at so many points stay in the cache
+    for (std::size_t first = 0; first < points.size(); first += together) {
+      const auto some = points.subspan(first, std::min(together, points.size() - first));
+      put<R>(prepared<R>().slopes, green_.at<R>(some, order)[0], layers_at<R>(some, order), some.size(), first, order,
+             tables[0]);
     }
   }
 
@@ -219,7 +215,7 @@ class HarmonicInSpace final : public CoordinatesIn<HarmonicInSpace>,
     bool touches = false;
     for (const Vec3<R>& point : points) {
       in_frame.push_back(surface_.in_frame<R>(point));
-      touches = touches || (order > 0 && !touching(point).empty());
+      touches = touches || (order > 0 && !touching(green_.elements(), point).empty());
     }
     // Values are continuous across the cage.
     if (!touches) {
@@ -228,20 +224,12 @@ class HarmonicInSpace final : public CoordinatesIn<HarmonicInSpace>,
     }
     for (std::size_t p = 0; p < points.size(); ++p) {
       CoordinateTable<R> one = layer.table(1, order);
-      const std::vector<Touching> on = touching(points[p]);
+      const std::vector<Touching> on = touching(green_.elements(), points[p]);
       if (on.empty()) layer.add(std::span(&in_frame[p], 1), order, one);
       else layer.add_on(in_frame[p], on, order, one);
       for (int o = 0; o <= order; ++o) std::ranges::copy(one.tensors[o], &found.tensors[o][p * found.stride[o]]);
     }
     return found;
-  }
-
-  // Points that are no doubles are taken to lie off the cage, as sums over elements take them.
-  template <Scalar R>
-  std::vector<Touching> touching(const Vec3<R>& point) const {
-    const Vec3<double> rounded = convert<double>(point);
-    if (convert<R>(rounded) != point) return {};
-    return green_.elements().touching(rounded);
   }
 
   template <Scalar R>

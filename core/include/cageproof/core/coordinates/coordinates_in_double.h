@@ -26,4 +26,14 @@ void compute_in_double(std::span<const Vec3<float>> points, std::span<Coordinate
                              [](double x) { return static_cast<float>(x); });
 }
 
+/// CoordinatesFromDouble with float, which is computed in double and rounded.
+template <class Derived>
+class CoordinatesInDouble : public CoordinatesFromDouble<Derived> {
+ public:
+  using CoordinatesFromDouble<Derived>::fill;
+  void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override {
+    compute_in_double(points, tables, [&](auto wide, auto in_double) { fill(wide, order, in_double); });
+  }
+};
+
 }  // namespace cageproof

@@ -189,14 +189,12 @@ class PreparedCoordinates {
   virtual const SolvesLaplacians* boundary_laplacians() const { return nullptr; }
 };
 
-/// Implements PreparedCoordinates::fill by `template <Scalar R> void compute(points, order, tables) const` of the
-/// derived class.
+/// Implements PreparedCoordinates::fill, except in float, by `template <Scalar R> void compute(points, order, tables)
+/// const` of the derived class. CoordinatesIn and CoordinatesInDouble add float.
 template <class Derived>
-class CoordinatesIn : public PreparedCoordinates {
+class CoordinatesFromDouble : public PreparedCoordinates {
  public:
-  void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override {
-    own().compute(points, order, tables);
-  }
+  using PreparedCoordinates::fill;
   void fill(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const override {
     own().compute(points, order, tables);
   }
@@ -207,8 +205,18 @@ class CoordinatesIn : public PreparedCoordinates {
     own().compute(points, order, tables);
   }
 
- private:
+ protected:
   const Derived& own() const { return static_cast<const Derived&>(*this); }
+};
+
+/// The same with float, which the derived class computes in float.
+template <class Derived>
+class CoordinatesIn : public CoordinatesFromDouble<Derived> {
+ public:
+  using CoordinatesFromDouble<Derived>::fill;
+  void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override {
+    this->own().compute(points, order, tables);
+  }
 };
 
 /// Coordinates in double that are computed all at once, beside the sums over elements that have all else: other
