@@ -7,30 +7,15 @@ no small change of these derivatives may lower them."""
 
 import json
 import os
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 import numpy as np
+from checks import call, check, exit_code
 
-PROGRAM = Path(sys.argv[1]).resolve()
 METHODS = ("ahap", "aaap", "tp")
 AFFINE = np.array([[1.3, 0.05, -0.2], [0.2, 0.8, 0.1], [-0.1, 0.3, 1.1]])
-failures = 0
-
-
-def check(what: str, error: float, bound: float) -> None:
-    global failures
-    if not error <= bound:
-        failures += 1
-        print(f"FAILED: {what}: {error:.2e} above {bound:.0e}", flush=True)
-
-
-def call(*arguments: object) -> None:
-    ended = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
-    if ended.returncode:
-        sys.exit(f"FAILED: {arguments}: {ended.stderr}")
 
 
 def deform(cage: str, points: np.ndarray, posed: np.ndarray, method: str, *more: str, **parameters: object) -> np.ndarray:
@@ -129,7 +114,7 @@ def main() -> int:
         relative_weights(rest, posed, points)
         laws(rest, points)
         energies(posed, points)
-    return 1 if failures else 0
+    return exit_code()
 
 
 sys.exit(main())

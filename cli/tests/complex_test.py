@@ -6,29 +6,14 @@ They must be what the definition makes of biharmonic_boundary, keep every simila
 what Goursat's functions give, and have the Hermite property of the paper in the limit: edges go to edges, and Jacobians there are similarities."""
 
 import os
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 import numpy as np
+from checks import call, check, exit_code
 
-PROGRAM = Path(sys.argv[1]).resolve()
 INSIDE = {"square": [[0.5, 0.5], [0.2, 0.7]], "l-shape": [[0.3, 0.3], [0.2, 1.4]], "pentagon.obj": [[0.6, 0.7], [0.3, 0.5]], "frame": []}
-failures = 0
-
-
-def check(what: str, error: float, bound: float) -> None:
-    global failures
-    if not error <= bound:
-        failures += 1
-        print(f"FAILED: {what}: {error:.2e} above {bound:.0e}", flush=True)
-
-
-def call(*arguments: object) -> None:
-    ended = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
-    if ended.returncode:
-        sys.exit(f"FAILED: {arguments}: {ended.stderr}")
 
 
 def coordinates(cage: str, points: np.ndarray, kind: str, *more: object) -> dict[str, np.ndarray]:
@@ -115,7 +100,7 @@ def main() -> int:
         for cage in ("square", "pentagon.obj"):
             truth(cage, np.array(INSIDE[cage]))
         hermite(generator)
-    return 1 if failures else 0
+    return exit_code()
 
 
 sys.exit(main())

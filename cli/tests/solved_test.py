@@ -6,34 +6,17 @@ Densities times layers, which `coordinates` computes, must give the images of `d
 rows must be the layers at the samples."""
 
 import os
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 import numpy as np
+from checks import call, check, exit_code
 
-PROGRAM = Path(sys.argv[1]).resolve()
 # Times the embedded cages' size: systems are solved in a unit of length next to it, which is 1 for the embedded ones.
 TIMES = 5
 KINDS = {"biharmonic_1_3": "regularised_1_3", "biharmonic_1_2": "regularised_1_2", "biharmonic_weber": "regularised_weber"}
 LAYERS = (("phi", "V"), ("psi", "N"), ("phibar", "L"), ("psibar", "D"))
-failures = 0
-
-
-def check(what: str, difference: np.ndarray, bound: float) -> None:
-    global failures
-    worst = float(np.abs(difference).max())
-    if not worst <= bound:
-        failures += 1
-        print(f"FAILED: {what}: {worst:.2e} above {bound:.0e}")
-
-
-def call(*arguments: object, code: int = 0) -> str:
-    ended = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
-    if ended.returncode != code:
-        sys.exit(f"FAILED: exit code {ended.returncode}, not {code}: {arguments}\n{ended.stderr}")
-    return ended.stderr
 
 
 def larger(name: str) -> str:
@@ -127,7 +110,7 @@ def main() -> int:
             matrices(cage, pose, points, "biharmonic_1_3", "regularised_1_3", ["--parameter", "level=2", "--parameter", "gamma_rel=10"])
         np.save("points.npy", inside["cube"] / TIMES)
         refusals()
-    return 1 if failures else 0
+    return exit_code()
 
 
 sys.exit(main())

@@ -4,35 +4,23 @@
 
 import json
 import os
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 import numpy as np
+from checks import call, check, exit_code
 
-PROGRAM = Path(sys.argv[1]).resolve()
 # A pentagon on whose edges hardly a point is a double.
 CORNERS = np.array([[0, 0], [1.1, 0.13], [1.4, 0.9], [0.7, 1.7], [-0.2, 0.8]])
 CENTRE = np.array([[0.6, 0.7]])
 METHODS = ("green", "cauchy", "somigliana", "mean_value", "harmonic", "biharmonic_1_3", "biharmonic_boundary", "tp")
-failures = 0
-
-
-def check(what: str, error: float, bound: float) -> None:
-    global failures
-    if not error <= bound:
-        failures += 1
-        print(f"FAILED: {what}: {error:.2e} above {bound:.0e}")
 
 
 def deform(points: np.ndarray, posed: np.ndarray, method: str, *more: str) -> tuple[np.ndarray, dict]:
     np.save("points.npy", points)
     np.savetxt("pose.txt", posed, fmt="%.17g")
-    ended = subprocess.run([PROGRAM, "deform", "--cage", "pentagon.obj", "--posed", "pose.txt", "--points", "points.npy", "--method", method, "--out", "image.npy", *more],
-                           capture_output=True, text=True)
-    if ended.returncode:
-        sys.exit(f"FAILED: {method}: {ended.stderr}")
+    call("deform", "--cage", "pentagon.obj", "--posed", "pose.txt", "--points", "points.npy", "--method", method, "--out", "image.npy", *more)
     return np.load("image.npy")[:, :2], json.loads(Path("image.json").read_text())
 
 
@@ -66,7 +54,7 @@ def main() -> int:
             check(f"{method}: a similarity", float(np.abs(np.array(edges) - 1.5).max()), 1e-9)
         if "local_thickness" in deform(CENTRE, posed, "green")[1]:
             check("without --order there is none", 1, 0)
-    return 1 if failures else 0
+    return exit_code()
 
 
 sys.exit(main())
