@@ -44,11 +44,7 @@ class BiharmonicBoundary final : public Deformer<R> {
   }
 
   const CageCoordinates& coordinates() const override { return coordinates_; }
-  DeformationReport prepared() const override {
-    DeformationReport report{coordinates_.solved(), {}, {}};
-    warn_of_singular_systems(report.systems, report.warnings);
-    return report;
-  }
+  DeformationReport prepared() const override { return report_on(coordinates_); }
 
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
     const CageElements& elements = coordinates_.elements();

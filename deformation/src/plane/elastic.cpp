@@ -49,11 +49,7 @@ class Elastic final : public Deformer<R> {
                      CoordinateOptions{options.evaluation, options.triangulation, options.parameters}) {}
 
   const CageCoordinates& coordinates() const override { return coordinates_; }
-  DeformationReport prepared() const override {
-    DeformationReport report{coordinates_.solved(), {}, {}};
-    warn_of_singular_systems(report.systems, report.warnings);
-    return report;
-  }
+  DeformationReport prepared() const override { return report_on(coordinates_); }
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
     check_pose(coordinates_.elements(), pose);
     return std::make_unique<ElasticPosed<R>>(pose.vertices);

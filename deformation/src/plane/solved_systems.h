@@ -3,11 +3,9 @@
 #pragma once
 
 #include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/deformation/deformer.h"
 
 #include <fmt/format.h>
-
-#include <string>
-#include <vector>
 
 namespace cageproof::deformation {
 
@@ -15,18 +13,21 @@ namespace cageproof::deformation {
 /// edge, and 1e5 with 16.
 inline constexpr double most_harmless = 5e5;
 
-/// Warns of singular systems, and names a way out ([W12]'s square system, collocation=vertices, is singular for many a
-/// polygon), and of those that cost digits, as those of polygons with a short edge, or with edges next to each other.
-inline void warn_of_singular_systems(const std::vector<SolvedSystem>& systems, std::vector<std::string>& warnings) {
-  for (const SolvedSystem& system : systems)
+/// The systems that were solved for coordinates. It warns of singular ones, and names a way out ([W12]'s square system,
+/// collocation=vertices, is singular for many a polygon), and of those that cost digits, as those of polygons with a
+/// short edge, or with edges next to each other.
+inline DeformationReport report_on(const CageCoordinates& coordinates) {
+  DeformationReport report{coordinates.solved(), {}, {}};
+  for (const SolvedSystem& system : report.systems)
     if (system.is_singular())
-      warnings.push_back(
+      report.warnings.push_back(
           fmt::format("{}: rank {} of {}, so that the solution of least norm is taken; more collocation points "
                       "determine it, as with collocation=vertices-and-midpoints",
                       system.name, system.rank, system.columns));
     else if (system.condition > most_harmless)
-      warnings.push_back(fmt::format("{}: the condition is {:.1e}, and images may lose digits like it", system.name,
-                                     system.condition));
+      report.warnings.push_back(fmt::format("{}: the condition is {:.1e}, and images may lose digits like it",
+                                            system.name, system.condition));
+  return report;
 }
 
 }  // namespace cageproof::deformation

@@ -65,8 +65,7 @@ struct Thickness<R>::Prepared {
         at_positions(position_rows<R>(coordinates, constraints.positions)),
         place(own_place(coordinates.elements().vertices())),
         rest(rows_of(seen_from_place<R>(coordinates.elements().vertices(), place), 2)) {
-    report.systems = coordinates.solved();
-    warn_of_singular_systems(report.systems, report.warnings);
+    report = report_on(coordinates);
     const NormalsAt<R> normals = normals_at<R>(coordinates.elements(), rest);
     const Matrix<R> k = jacobian(at_positions, normals), j = jacobian(thickness, normals);
     const GaussNewtonStep<R> there = gauss_newton<R>(Matrix<R>::Zero(j.rows(), 1), j, Matrix<R>::Zero(k.rows(), 1), k);
