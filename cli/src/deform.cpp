@@ -225,7 +225,7 @@ int pieces_of(const Chosen& chosen, const DescribedMap& map) {
   return found == chosen.known.end() ? 1 : static_cast<int>(map.parameters[found - chosen.known.begin()]);
 }
 
-// What maps multiply layers with, for --solved. \throws InputError for a method whose maps are no sums of four layers
+// The data that maps multiply layers with, for --solved. \throws InputError for methods whose maps are no such sums
 std::string densities_text(const DeformArguments& a, const Posing& posing) {
   std::vector<std::vector<NamedMatrix>> maps;
   maps.reserve(posing.maps.size());

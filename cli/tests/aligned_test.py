@@ -100,7 +100,7 @@ def energies(posed: np.ndarray, points: np.ndarray) -> None:
             # Stretches of posed normals are what hard alignment may change.
             change = generator.uniform(-1, 1, (len(normals), 3)) if alignment == "free" else normals * generator.uniform(-1, 1, (len(normals), 1))
             above, below = (energy_of(method, with_normals(normals + sign * change), matrices["sample_normals"]) for sign in (1, -1))
-            # Of a quadratic function at its least: both sides rise alike.
+            # A quadratic function rises alike on both sides of its least.
             check(f"{name}: slope along a change", abs(above - below) / (above + below - 2 * found), 2e-3)
 
 

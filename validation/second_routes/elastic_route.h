@@ -22,7 +22,7 @@ class ElasticRoute {
 
  private:
   using Matrix = Table<Mp200>;
-  /// T of displacements at vertices and K of tractions on pieces, two rows a point.
+  /// T of displacements at vertices and K of tractions on pieces, two rows per point.
   struct Layers {
     Matrix of_displacements, of_tractions;
   };

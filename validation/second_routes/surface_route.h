@@ -23,7 +23,7 @@ class SurfaceRoute {
 
  private:
   using Corners = std::array<Vec3<Mp50>, 3>;
-  /// At one point: phi, a number a vertex, and psi, a number a corner of a quarter.
+  /// Layers at one point: phi, one number per vertex, and psi, one per corner of a quarter.
   struct Layers {
     std::vector<Mp200> phi, psi;
   };

@@ -98,8 +98,8 @@ class PositiveMeanValue final : public CoordinatesInDouble<PositiveMeanValue> {
     return {{v[0], v[1], v[2]}, {corner(0), corner(1), corner(2)}};
   }
 
-  // Of each vertex, not normalised. The first face in each direction is one that the ray leaves the inside through, so
-  // that others need not be looked at.
+  // The weight of each vertex, not normalised. A ray leaves the inside through the first face in its direction, so only
+  // faces that it leaves through are looked at.
   template <Scalar R>
   std::vector<R> visible_weights(const Vec3<R>& eta) const {
     std::vector<SeenTriangle<R>> faces;
@@ -124,7 +124,7 @@ class PositiveMeanValue final : public CoordinatesInDouble<PositiveMeanValue> {
       for (const SeenPolygon<R>& part : visible) mean += mean_vector_of(part);
       for (int k = 0; k < 3; ++k) weights[face.vertices[k]] += mean.dot(face.side[(k + 1) % 3]) / face.volume;
     }
-    // Integrals of what is not negative: below zero are roundings, of vertices that are hidden.
+    // Integrands are not negative, so a negative weight is rounding, of a hidden vertex.
     for (R& w : weights) w = std::max(w, R(0));
     return weights;
   }

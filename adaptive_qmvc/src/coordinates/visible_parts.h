@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a point sees of a face's triangle when other triangles hide parts of it: convex polygons in the triangle's
-// plane.
+// The parts of a face's triangle that a point sees past other triangles: convex polygons in the triangle's plane.
 #pragma once
 
 #include "cageproof/core/numbers/linear.h"

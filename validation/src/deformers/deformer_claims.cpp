@@ -91,8 +91,8 @@ void measure_scale(ErratumRow& row) {
   row.corrected_error = change_with_scale(kRms);
 }
 
-// Of infinite nu without bulging, the worse of both variants: the distance from that Green deformer, by its stretch,
-// which is nearest.
+// The distance of infinite nu without bulging from the nearest Green deformer, by its stretch; the worse of both
+// variants.
 double infinite_nu_off_green(std::string_view name) {
   const Cage cage = embedded_cage(name);
   const Points points = points_in(cage), posed = bent(cage);

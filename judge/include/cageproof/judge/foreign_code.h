@@ -32,7 +32,7 @@ struct Limits {
 struct Asked {
   std::vector<double> corners, parameters, points;
   std::size_t count = 1;  ///< points
-  /// Only of cages: vertices of triangles, counted from 0, three per face; and how many coordinates a point has.
+  /// Cages only: the vertices of triangles, three per face, counted from 0, and the number of a point's coordinates.
   std::vector<int> faces = {};
   std::size_t coordinates = 0;
 };

@@ -19,7 +19,7 @@ Vec3<double> random_vector(RandomStream& random, double reach) {
   return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
 }
 
-// A valid quad of size 1 about a point that is not the origin, which one printed sum depends on.
+// A valid quad of size 1 around a random point. One printed sum depends on where the origin is.
 Quad<double> random_quad(RandomStream& random) {
   const Vec3<double> middle = random_vector(random, 1);
   for (;;) {
@@ -115,7 +115,7 @@ void measure_row_parameter(ErratumRow& row) {
   }
 }
 
-// The parameters that Algorithm 2 asks for of planar quads, too, off their planes; Eq 19 is asked in the plane alone.
+// Algorithm 2 asks for the parameters of planar quads off their planes, too; Eq 19 is asked only in the plane.
 void measure_membership(ErratumRow& row) {
   const Quad<double> q{Vec3<double>(0, 0, 0), Vec3<double>(1, 0, 0), Vec3<double>(1, 1, 0), Vec3<double>(0, 1, 0)};
   for (int i = 0; i < kSamples; ++i) {
@@ -167,7 +167,7 @@ const std::vector<SchemeErratum>& scheme_errata() {
     std::vector<SchemeErratum> rows;
     SchemeErratum& figure = rows.emplace_back();
     figure.row.source = "[T18] Eq 19";
-    figure.row.printed = "A_i and E_i are in a figure alone, which has no formula";
+    figure.row.printed = "A_i and E_i stand only in a figure, which has no formula";
     figure.row.correct =
         "A_i and B_i the signed areas of (eta, q_i, q_i+1) and (eta, q_i-1, q_i+1), D = B_0^2 + B_1^2 + 2 A_0 A_2 + "
         "2 A_1 A_3, E_i = 2 A_i - B_i - B_i+1 + sqrt(D)";

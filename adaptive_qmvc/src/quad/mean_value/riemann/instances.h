@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's scheme for a block of points, compiled one file a scalar.
+// The paper's scheme for a block of points; each scalar is compiled in a file of its own.
 #pragma once
 
 #include "quad/mean_value/riemann/riemann.h"

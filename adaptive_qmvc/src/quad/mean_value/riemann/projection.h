@@ -18,8 +18,8 @@ bool inside_hull(const Vec4<R>& kappa) {
 
 /// Where the first step moves an outer point, relative to it, in units: to the mean of the hull's surface under |(xi -
 /// eta).n|/|xi - eta|^4 (Eq 25, where 3 is printed; the sum of the weights divides it, which Algorithm 1 leaves out),
-/// so to the absolute triangle weights' (Eq 14) mean of the corners. A face whose plane the point is in but for
-/// rounding weighs nothing.
+/// so to the absolute triangle weights' (Eq 14) mean of the corners. A face has no weight if the point is in its plane
+/// up to rounding.
 template <Scalar R>
 Vec3<R> to_hull(const PairFrame<R>& s, const Vec4<R>& kappa) {
   using std::abs;

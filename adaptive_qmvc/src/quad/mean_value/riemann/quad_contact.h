@@ -16,7 +16,7 @@ struct QuadContact {
   bool in_plane = false;
 };
 
-/// Whether kappa may be a multiple of basis functions but for rounding: k_i of one sign, k_0 k_2 = k_1 k_3. So it is on
+/// Whether kappa may be a multiple of basis functions up to rounding: k_i of one sign, k_0 k_2 = k_1 k_3. So it is on
 /// the quad.
 template <Scalar R>
 bool may_be_on_quad(const Vec4<R>& k) {

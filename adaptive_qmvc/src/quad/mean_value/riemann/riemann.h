@@ -21,7 +21,7 @@ R blend(const R& x, const R& low, const R& high) {
   return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-/// What is done about the norm correction.
+/// The treatment of the norm correction.
 enum class NormCorrection {
   Guarded,    ///< blended into 1 around its poles
   AsPrinted,  ///< Eq 24 as it is, with its poles
@@ -89,7 +89,7 @@ void restore_linear_reproduction(const PairFrame<R>& s, const Vec4<R>& kappa, co
   if (correction.allFinite()) w += correction;
 }
 
-/// What the scheme computes of a point, in the frame's unit.
+/// The scheme's results at a point, in the frame's unit.
 template <Scalar R>
 struct SchemeParts {
   Vec3<R> mean;
