@@ -34,8 +34,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <mutex>
-#include <tuple>
 
 namespace cageproof::validation {
 namespace {
@@ -196,12 +194,7 @@ class Planner {
     const bool may_refuse =
         kind.solves_on_samples && cage.dimension() == 3 && std::ranges::count(embedded_cage_names(), cage.name()) > 0;
     if (kind.is_sum() || (!options_.cage && !may_refuse)) return "";
-    // Embedded cages are the same in all plans of a program.
-    static std::map<std::tuple<std::string, std::string_view, Triangulation>, std::string> of_embedded;
-    static std::mutex one_at_a_time;
-    const std::scoped_lock lock(one_at_a_time);
-    auto& refusals = options_.cage ? refusals_ : of_embedded;
-    const auto [known, is_new] = refusals.try_emplace({std::string(cage.name()), kind.name, options_.triangulation});
+    const auto [known, is_new] = refusals_.try_emplace({std::string(cage.name()), kind.name});
     if (!is_new) return known->second;
     doing(fmt::format("{}, solving for {} coordinates", cage.name(), kind.name));
     try {
@@ -568,8 +561,8 @@ class Planner {
   const VerifyOptions& options_;
   RunPlan plan_;
   int fields_ = 0;
-  // Reasons by cage, kind and triangulation; empty where there is none.
-  std::map<std::tuple<std::string, std::string_view, Triangulation>, std::string> refusals_;
+  // Reasons by cage and kind; empty where there is none.
+  std::map<std::pair<std::string, std::string_view>, std::string> refusals_;
   int scenes_ = 0;
   std::string regimes_nowhere_;
 };
