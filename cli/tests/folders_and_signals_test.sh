@@ -132,7 +132,7 @@ rm report/.cageproof-files && "$cageproof" report report >/dev/null || fail 'rep
 
 # Signals: their exit code, nothing aside, earlier files unchanged, and a run that can be resumed.
 # A hundred units in a second or two, whatever they measure: the run is made anew seventeen times.
-options=(--suite quick --formulas segment.single_layer,segment.winding_angle --cage square --samples 40)
+options=(--suite quick --formulas segment.single_layer,segment.winding_angle --evaluations closed_form,hybrid --cage square --samples 40)
 "$cageproof" verify "${options[@]}" --out whole >/dev/null || fail 'a whole run'
 mkdir scratch && export TMPDIR=$work/scratch
 number=0 drawn=0 stopped=0

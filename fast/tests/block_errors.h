@@ -67,37 +67,59 @@ inline double block_error_on(const CageCoordinates& found, const CageCoordinates
   return worst;
 }
 
+// What coordinates up to an order are compared with: the truth up to one order more, and, for the slope of Hessians, a
+// step beside the point.
+template <class Number>
+struct BlockTruth {
+  using Blocks = decltype(std::declval<const CageCoordinates&>().at<Number>(Vec3<Number>(), 0));
+  Number step{"1e-20"};
+  Blocks here, beside;
+};
+
 template <class Number = Mp50>
-double block_error(const CageCoordinates& found, const CageCoordinates& reference, double size, const Point& point,
-                   int order, OfHessians unit = OfHessians::Alone) {
-  const auto f = found.at<double>(point, order);
-  const bool moves = order == 2 && unit == OfHessians::WithSlope;
-  const Number step("1e-20");
+BlockTruth<Number> block_truth(const CageCoordinates& reference, const Point& point, int order, OfHessians unit) {
+  BlockTruth<Number> truth;
+  truth.here = reference.at<Number>(convert<Number>(point), std::min(order + 1, 2));
+  if (order < 2 || unit == OfHessians::Alone) return truth;
   Vec3<Number> moved = convert<Number>(point);
-  for (int i = 0; moves && i < 3; ++i) moved[i] += step * std::array{0.48, 0.64, 0.6}[i];
-  const auto beside = moves ? reference.at<Number>(moved, 2) : decltype(reference.at<Number>(moved, 2))();
-  const auto truth = reference.at<Number>(convert<Number>(point), std::min(order + 1, 2));
+  for (int i = 0; i < 3; ++i) moved[i] += truth.step * std::array{0.48, 0.64, 0.6}[i];
+  truth.beside = reference.at<Number>(moved, 2);
+  return truth;
+}
+
+// order: at most the one that the truth was made for.
+template <class Number>
+double block_error(const CageCoordinates& found, const BlockTruth<Number>& truth, double size, const Point& point,
+                   int order) {
+  const auto f = found.at<double>(point, order);
+  const auto& [step, here, beside] = truth;
   double worst = 0;
   for (std::size_t b = 0; b < f.size(); ++b)
     for (int o = 0; o <= order; ++o) {
       std::vector<Number> difference;
       for (std::size_t i = 0; i < f[b].of(o).size(); ++i)
-        difference.push_back(Number(f[b].of(o)[i]) - truth[b].of(o)[i]);
+        difference.push_back(Number(f[b].of(o)[i]) - here[b].of(o)[i]);
       // On the cage some derivatives do not exist.
-      const std::size_t dimension = o < 2 ? truth[b].of(o + 1).size() / truth[b].of(o).size() : 1;
-      double slope = o < 2 ? slope_of(truth[b].of(o + 1), dimension) : 0;
-      if (o == 2 && moves) {
+      const std::size_t dimension = o < 2 ? here[b].of(o + 1).size() / here[b].of(o).size() : 1;
+      double slope = o < 2 ? slope_of(here[b].of(o + 1), dimension) : 0;
+      if (o == 2 && !beside.empty()) {
         std::vector<Number> change;
         change.reserve(f[b].of(2).size());
         for (std::size_t i = 0; i < f[b].of(2).size(); ++i)
-          change.push_back((beside[b].of(2)[i] - truth[b].of(2)[i]) / step);
+          change.push_back((beside[b].of(2)[i] - here[b].of(2)[i]) / step);
         slope = norm_of(change);
       }
-      const double scale = norm_of(truth[b].of(o)) + (std::isfinite(slope) ? size * slope : 0);
+      const double scale = norm_of(here[b].of(o)) + (std::isfinite(slope) ? size * slope : 0);
       const double error = norm_of(difference) / (unit_roundoff<double>() * scale);
       if (!std::isnan(worst) && !(error <= worst)) worst = error;  // what is no number stays
     }
   return worst;
+}
+
+template <class Number = Mp50>
+double block_error(const CageCoordinates& found, const CageCoordinates& reference, double size, const Point& point,
+                   int order, OfHessians unit = OfHessians::Alone) {
+  return block_error(found, block_truth<Number>(reference, point, order, unit), size, point, order);
 }
 
 // A random direction with that many coordinates.
