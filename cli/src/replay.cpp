@@ -112,12 +112,13 @@ int run(Arguments& asked) {
   }
   asked.judge.begin(formulas_of(lines));
   const std::vector<std::filesystem::path> folders = folders_above(file);
+  validation::Replayer replayer;
   for (const reports::WorstLine& line : lines) {
     validation::Finding finding;
     try {
-      finding = validation::replay(line, line.worst,
-                                   line.triangulation == "fan" ? Triangulation::Fan : Triangulation::Shortest,
-                                   {line.unit, line.cage_content, folders});
+      finding =
+          replayer.replay(line, line.worst, line.triangulation == "fan" ? Triangulation::Fan : Triangulation::Shortest,
+                          {line.unit, line.cage_content, folders});
     } catch (const InputError& e) {
       throw InputError(fmt::format("{}:{}: {}", file, line.number, e.what()));
     }

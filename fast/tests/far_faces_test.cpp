@@ -56,8 +56,7 @@ double worst_error(const Cage& cage, std::string_view kind, int highest, int cou
 
 TEST(FarFaces, fine_cages_keep_the_promise) {
   const Cage cage = sphere(320);
-  for (const char* kind : {"green", "biharmonic", "somigliana"})
-    EXPECT_LE(worst_error(cage, kind, 2, 8), 64) << kind;
+  for (const char* kind : {"green", "biharmonic", "somigliana"}) EXPECT_LE(worst_error(cage, kind, 2, 8), 64) << kind;
   const Cage fine = sphere(1280);
   for (const char* kind : {"green", "biharmonic", "somigliana"}) EXPECT_LE(worst_error(fine, kind, 1, 4), 64) << kind;
 }

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace cageproof::validation {
 namespace {
@@ -58,11 +59,6 @@ Finding replay_element(const RowKey& row, const WorstCase& worst, const StoredFa
       {source, {worst.corners, worst.point, worst.parameters, worst.parameter, worst.sample}, order})[row.order];
 }
 
-Cage cage_of(const RowKey& row, const WorstCase& worst, const StoredFacts& stored) {
-  if (!worst.point.allFinite()) throw InputError("the point is not finite");
-  return stored_cage(row.setting, stored);
-}
-
 void require_place(const std::string& place, const std::vector<std::string_view>& known) {
   if (std::ranges::find(known, place) == known.end())
     throw InputError(fmt::format("unknown place '{}'; known: {}", place, fmt::join(known, ", ")));
@@ -78,10 +74,49 @@ Finding answer(const std::vector<Q>& questions, const RowKey& row, const StoredF
                                row.subject, row.evaluation, row.setting, row.place, row.order));
 }
 
-Finding replay_cage(const RowKey& row, const WorstCase& worst, Triangulation rule, const StoredFacts& stored) {
-  const auto cage = std::make_shared<const Cage>(cage_of(row, worst, stored));
+// The names that decide what a row's cases need.
+std::string names_of(const RowKey& row, std::string_view evaluation, Triangulation rule, const StoredFacts& stored) {
+  std::vector<std::string> folders;
+  for (const auto& folder : stored.folders) folders.push_back(folder.string());
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", row.subject, evaluation, row.setting, static_cast<int>(rule),
+                     stored.cage_content, fmt::join(folders, "\n"));
+}
+
+}  // namespace
+
+// The last case's cage and what was made of it, by the names that decide it.
+struct Replayer::Prepared {
+  using Subjects =
+      std::variant<std::monostate, std::unique_ptr<OneRing>, std::unique_ptr<BlockErrors>, std::unique_ptr<CageSubject>,
+                   std::unique_ptr<ConstrainedChecks>, std::unique_ptr<DeformerChecks>>;
+  std::string names;
+  std::shared_ptr<const Cage> cage;
+  Subjects kept;
+
+  // The subject of those names, made of their cage unless it is there. \param make unique_ptr<Subject>(cage)
+  template <class Make>
+  auto& subject_of(std::string wanted, const RowKey& row, const StoredFacts& stored, const Make& make) {
+    using Subject = decltype(make(cage));
+    if (wanted != names || !std::holds_alternative<Subject>(kept)) {
+      names.clear();
+      kept = std::monostate();
+      cage = std::make_shared<const Cage>(stored_cage(row.setting, stored));
+      kept = make(cage);
+      names = std::move(wanted);
+    }
+    return *std::get<Subject>(kept);
+  }
+
+  Finding replay_cage(const RowKey& row, const WorstCase& worst, Triangulation rule, const StoredFacts& stored);
+  Finding replay_deformer(const RowKey& row, const WorstCase& worst, Triangulation rule, const StoredFacts& stored);
+};
+
+Finding Replayer::Prepared::replay_cage(const RowKey& row, const WorstCase& worst, Triangulation rule,
+                                        const StoredFacts& stored) {
   if (row.subject == one_ring_formula) {
-    const OneRing ring(cage, {.evaluation = row.evaluation, .triangulation = rule});
+    const auto& ring = subject_of(names_of(row, row.evaluation, rule, stored), row, stored, [&](const auto& of) {
+      return std::make_unique<OneRing>(of, OneRingOptions{.evaluation = row.evaluation, .triangulation = rule});
+    });
     return answer(ring.questions(), row, stored, ring.at(worst.point, worst.sample));
   }
   const CoordinateKind& kind = coordinate_kind_named(row.subject);
@@ -89,34 +124,51 @@ Finding replay_cage(const RowKey& row, const WorstCase& worst, Triangulation rul
   places.push_back(mesh_place);
   require_place(row.place, places);
   if (row.check == block_error_check) {
-    const BlockErrors errors(*cage, kind, row.evaluation, rule);
+    const auto& errors = subject_of(names_of(row, row.evaluation, rule, stored), row, stored, [&](const auto& of) {
+      return std::make_unique<BlockErrors>(*of, kind, row.evaluation, rule);
+    });
     return answer(std::vector{errors.question(row.place)}, row, stored, BlockAt{block_sample(worst)});
   }
   // At meshes kinds that are made of sums take the quickest ones, and keep their name.
-  const bool made_of_quickest = row.place == mesh_place && kind.made_of_sums;
-  const CageSubject subject(cage, kind, made_of_quickest ? std::string(quickest) : row.evaluation, rule);
+  const std::string evaluation = row.place == mesh_place && kind.made_of_sums ? std::string(quickest) : row.evaluation;
+  const auto& subject = subject_of(names_of(row, evaluation, rule, stored), row, stored, [&](const auto& of) {
+    return std::make_unique<CageSubject>(of, kind, evaluation, rule);
+  });
   const int order = order_at(row.place, subject.coordinates(), worst.asked);
   return answer(cage_questions(subject, row.place, order), row, stored,
                 CageAt(subject, worst.point, worst.sample, row.place, order));
 }
 
-Finding replay_deformer(const RowKey& row, const WorstCase& worst, Triangulation rule, const StoredFacts& stored) {
-  const auto cage = std::make_shared<const Cage>(cage_of(row, worst, stored));
+Finding Replayer::Prepared::replay_deformer(const RowKey& row, const WorstCase& worst, Triangulation rule,
+                                            const StoredFacts& stored) {
   const PointAt at{worst.point, worst.sample};
-  if (const auto* method = deformation::find_constraint_method(row.subject))
-    return answer(ConstrainedChecks(cage, variant_named(*method, row.evaluation), rule).questions(), row, stored, at);
-  return answer(DeformerChecks(cage, variant_named(deformation::deform_method_named(row.subject), row.evaluation), rule)
-                    .questions(),
-                row, stored, at);
+  const std::string wanted = names_of(row, row.evaluation, rule, stored);
+  if (const auto* method = deformation::find_constraint_method(row.subject)) {
+    const auto& checks = subject_of(wanted, row, stored, [&](const auto& of) {
+      return std::make_unique<ConstrainedChecks>(of, variant_named(*method, row.evaluation), rule);
+    });
+    return answer(checks.questions(), row, stored, at);
+  }
+  const auto& checks = subject_of(wanted, row, stored, [&](const auto& of) {
+    return std::make_unique<DeformerChecks>(
+        of, variant_named(deformation::deform_method_named(row.subject), row.evaluation), rule);
+  });
+  return answer(checks.questions(), row, stored, at);
 }
 
-}  // namespace
+Replayer::Replayer() : prepared_(std::make_unique<Prepared>()) {}
+Replayer::~Replayer() = default;
 
-Finding replay(const RowKey& row, const WorstCase& worst, Triangulation rule, const StoredFacts& stored) {
+Finding Replayer::replay(const RowKey& row, const WorstCase& worst, Triangulation rule, const StoredFacts& stored) {
   if (row.order < 0 || row.order > 2) throw InputError(fmt::format("unknown order {}", row.order));
   if (row.section == RowKey::Section::Element) return replay_element(row, worst, stored);
-  if (row.section == RowKey::Section::Deformer) return replay_deformer(row, worst, rule, stored);
-  return replay_cage(row, worst, rule, stored);
+  if (!worst.point.allFinite()) throw InputError("the point is not finite");
+  if (row.section == RowKey::Section::Deformer) return prepared_->replay_deformer(row, worst, rule, stored);
+  return prepared_->replay_cage(row, worst, rule, stored);
+}
+
+Finding replay(const RowKey& row, const WorstCase& worst, Triangulation rule, const StoredFacts& stored) {
+  return Replayer().replay(row, worst, rule, stored);
 }
 
 void require_replayable(const RowKey& row, const WorstCase& worst) { question_of(row, worst); }
