@@ -133,12 +133,12 @@ function(cageproof_all_forms target include)
   endforeach()
 endfunction()
 
-# cageproof_tests(NAME LINK rooms... [LABELS label...] [UNITY [SECOND test...] [ALONE test...]]): every tests/*.cpp of the room in one GoogleTest program, and a
-# test of CTest per suite. Tests labelled `memory` also run under the address sanitizer, and `threads` under the thread sanitizer. UNITY: in a unity build eight
-# sources are compiled at once, which halves the time, because tests instantiate the same templates. Names in anonymous namespaces meet there: those named by
-# SECOND are put together with each other only, and those by ALONE with no others.
+# cageproof_tests(NAME LINK rooms... [LABELS label...] [UNITY]): every tests/*.cpp of the room in one GoogleTest program, and a test of CTest per suite. Tests
+# labelled `memory` also run under the address sanitizer, and `threads` under the thread sanitizer. UNITY: in a unity build eight sources are compiled at once,
+# which halves the time, because tests instantiate the same templates. Names in anonymous namespaces meet there: a source whose names another one has puts
+# them into a namespace of its own.
 function(cageproof_tests name)
-  cmake_parse_arguments(ARG "UNITY" "" "LINK;LABELS;SECOND;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "UNITY" "" "LINK;LABELS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/*.cpp)
   if(NOT sources OR CAGEPROOF_LIBRARY_ONLY)
     return()
@@ -146,24 +146,22 @@ function(cageproof_tests name)
   add_executable(${name}_tests ${sources} ${PROJECT_SOURCE_DIR}/cmake/test_main.cpp)
   # Sources without a group are compiled one by one.
   set_target_properties(${name}_tests PROPERTIES UNITY_BUILD_MODE GROUP)
-  set(first 0)
-  set(second 0)
-  foreach(source ${sources})
-    cmake_path(GET source STEM test)
-    if(NOT ARG_UNITY OR test IN_LIST ARG_ALONE)
-      continue()
-    endif()
-    set(set first)
-    if(test IN_LIST ARG_SECOND)
-      set(set second)
-    endif()
-    math(EXPR group "${${set}} / 8")
-    math(EXPR ${set} "${${set}} + 1")
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${set}_${group})
-  endforeach()
+  if(ARG_UNITY)
+    set(count 0)
+    foreach(source ${sources})
+      math(EXPR group "${count} / 8")
+      math(EXPR count "${count} + 1")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP tests_${group})
+    endforeach()
+  endif()
   target_link_libraries(${name}_tests PRIVATE ${ARG_LINK} cageproof_flags GTest::gtest)
   target_include_directories(${name}_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
-  target_precompile_headers(${name}_tests PRIVATE <cageproof/core/numbers/linear.h> <gtest/gtest.h>)
+  # GCC takes a precompiled header only with the very definitions that it was made with; core's tests come first.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang AND NOT name STREQUAL core)
+    target_precompile_headers(${name}_tests REUSE_FROM core_tests)
+  else()
+    target_precompile_headers(${name}_tests PRIVATE <cageproof/core/numbers/linear.h> <gtest/gtest.h>)
+  endif()
   target_compile_definitions(${name}_tests PRIVATE
     CAGEPROOF_SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared/data")
   set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace cageproof::adaptive_qmvc {
+namespace cageproof::adaptive_qmvc::coordinate_kinds_test {
 namespace {
 
 using Vec = Vec3<double>;
@@ -238,4 +238,4 @@ TEST(maximum_entropy, has_none_outside_the_hull) {
 }
 
 }  // namespace
-}  // namespace cageproof::adaptive_qmvc
+}  // namespace cageproof::adaptive_qmvc::coordinate_kinds_test

@@ -16,7 +16,7 @@
 
 #include <cmath>
 
-namespace cageproof::adaptive_qmvc {
+namespace cageproof::adaptive_qmvc::layers_batch_test {
 namespace {
 
 using Point = Vec3<double>;
@@ -341,4 +341,4 @@ TEST(BatchedLayers, are_the_quickest) {
 }
 
 }  // namespace
-}  // namespace cageproof::adaptive_qmvc
+}  // namespace cageproof::adaptive_qmvc::layers_batch_test

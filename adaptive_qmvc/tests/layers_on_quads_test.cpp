@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cageproof::adaptive_qmvc {
+namespace cageproof::adaptive_qmvc::layers_on_quads_test {
 namespace {
 
 using Vec = Vec3<double>;
@@ -208,4 +208,4 @@ TEST(LayersOnQuads, keep_quads_of_kinds_that_have_such_a_form) {
 }
 
 }  // namespace
-}  // namespace cageproof::adaptive_qmvc
+}  // namespace cageproof::adaptive_qmvc::layers_on_quads_test

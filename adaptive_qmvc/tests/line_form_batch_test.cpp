@@ -26,7 +26,7 @@ thread_local std::size_t allocations = 0;
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
-namespace cageproof::adaptive_qmvc {
+namespace cageproof::adaptive_qmvc::line_form_batch_test {
 namespace {
 
 Evaluation evaluation(const char* name) { return evaluation_named("quad.mean_value", name); }
@@ -121,4 +121,4 @@ TEST(batches, of_the_line_form_and_the_scheme_allocate_nothing) {
 }
 
 }  // namespace
-}  // namespace cageproof::adaptive_qmvc
+}  // namespace cageproof::adaptive_qmvc::line_form_batch_test

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace cageproof::adaptive_qmvc {
+namespace cageproof::adaptive_qmvc::line_form_degenerate_test {
 namespace {
 
 template <Scalar R>
@@ -83,4 +83,4 @@ std::string place_of(const testing::TestParamInfo<std::size_t>& place) {
 INSTANTIATE_TEST_SUITE_P(degenerate, LineFormNear, testing::Range<std::size_t>(0, line_form_truths().size()), place_of);
 
 }  // namespace
-}  // namespace cageproof::adaptive_qmvc
+}  // namespace cageproof::adaptive_qmvc::line_form_degenerate_test

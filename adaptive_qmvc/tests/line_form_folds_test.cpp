@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cageproof::adaptive_qmvc {
+namespace cageproof::adaptive_qmvc::line_form_folds_test {
 namespace {
 
 using Vec = Vec3<double>;
@@ -125,4 +125,4 @@ TEST(line_form, keeps_its_digits_where_two_sheets_are_near) {
 }
 
 }  // namespace
-}  // namespace cageproof::adaptive_qmvc
+}  // namespace cageproof::adaptive_qmvc::line_form_folds_test

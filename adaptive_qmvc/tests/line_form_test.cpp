@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::adaptive_qmvc {
+namespace cageproof::adaptive_qmvc::line_form_test {
 namespace {
 
 using Vec = Vec3<double>;
@@ -287,4 +287,4 @@ TEST(atan_remainders, are_their_integrals) {
 }
 
 }  // namespace
-}  // namespace cageproof::adaptive_qmvc
+}  // namespace cageproof::adaptive_qmvc::line_form_test

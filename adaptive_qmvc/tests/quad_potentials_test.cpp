@@ -11,7 +11,7 @@
 #include <numbers>
 #include <span>
 
-namespace cageproof::adaptive_qmvc {
+namespace cageproof::adaptive_qmvc::quad_potentials_test {
 namespace {
 
 using Vec = Vec3<double>;
@@ -509,4 +509,4 @@ TEST(QuadPotentials, add_up_to_line_integrals_over_the_sides) {
 }
 
 }  // namespace
-}  // namespace cageproof::adaptive_qmvc
+}  // namespace cageproof::adaptive_qmvc::quad_potentials_test

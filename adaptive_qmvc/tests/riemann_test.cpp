@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::adaptive_qmvc {
+namespace cageproof::adaptive_qmvc::riemann_test {
 namespace {
 
 template <Scalar R>
@@ -234,4 +234,4 @@ TEST(Families, TakeDigitsFrom2To90) {
 }
 
 }  // namespace
-}  // namespace cageproof::adaptive_qmvc
+}  // namespace cageproof::adaptive_qmvc::riemann_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace cageproof::closed_form::triangle {
+namespace cageproof::closed_form::triangle::accurate_test {
 namespace {
 
 using Vec = Vec3<double>;
@@ -95,4 +95,4 @@ TEST(accurate, finite_part_is_all_where_nothing_diverges) {
 }
 
 }  // namespace
-}  // namespace cageproof::closed_form::triangle
+}  // namespace cageproof::closed_form::triangle::accurate_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <source_location>
 
-namespace cageproof::closed_form {
+namespace cageproof::closed_form::counted_test {
 namespace {
 
 TEST(counted, a_cancellation_is_found_at_its_line) {
@@ -124,4 +124,4 @@ TEST(counted, polynomials_count_for_the_line_that_asks) {
 }
 
 }  // namespace
-}  // namespace cageproof::closed_form
+}  // namespace cageproof::closed_form::counted_test

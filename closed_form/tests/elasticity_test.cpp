@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::closed_form::published {
+namespace cageproof::closed_form::published::elasticity_test {
 namespace {
 
 TEST(elasticity, constants_after_the_errata_and_as_printed) {
@@ -21,4 +21,4 @@ TEST(elasticity, constants_after_the_errata_and_as_printed) {
 }
 
 }  // namespace
-}  // namespace cageproof::closed_form::published
+}  // namespace cageproof::closed_form::published::elasticity_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace cageproof::closed_form {
+namespace cageproof::closed_form::plain_test {
 namespace {
 
 template <Scalar R>
@@ -77,4 +77,4 @@ TEST(plain, is_zero_beside_the_triangle_in_its_plane_and_infinite_on_it) {
 }
 
 }  // namespace
-}  // namespace cageproof::closed_form
+}  // namespace cageproof::closed_form::plain_test

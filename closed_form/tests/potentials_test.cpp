@@ -16,7 +16,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace cageproof::closed_form::triangle {
+namespace cageproof::closed_form::triangle::potentials_test {
 namespace {
 
 using Vec = Vec3<double>;
@@ -227,4 +227,4 @@ TEST(far_away, single_layers_keep_their_digits) {
 }
 
 }  // namespace
-}  // namespace cageproof::closed_form::triangle
+}  // namespace cageproof::closed_form::triangle::potentials_test

@@ -17,7 +17,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::closed_form::segment {
+namespace cageproof::closed_form::segment::segment_accurate_test {
 namespace {
 
 using Vec = Vec3<double>;
@@ -249,4 +249,4 @@ TEST(segment_accurate, states_no_digits_that_subnormal_numbers_have_not) {
 }
 
 }  // namespace
-}  // namespace cageproof::closed_form::segment
+}  // namespace cageproof::closed_form::segment::segment_accurate_test

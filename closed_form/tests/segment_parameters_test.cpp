@@ -12,7 +12,7 @@
 
 #include <numbers>
 
-namespace cageproof::closed_form::segment {
+namespace cageproof::closed_form::segment::segment_parameters_test {
 namespace {
 
 using Vec = Vec3<double>;
@@ -316,4 +316,4 @@ TEST(segment_polyharmonic, layers_keep_greens_identities) {
 }
 
 }  // namespace
-}  // namespace cageproof::closed_form::segment
+}  // namespace cageproof::closed_form::segment::segment_parameters_test

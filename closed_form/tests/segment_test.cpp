@@ -13,7 +13,7 @@
 
 #include <numbers>
 
-namespace cageproof::closed_form::segment {
+namespace cageproof::closed_form::segment::segment_test {
 namespace {
 
 using Vec = Vec3<double>;
@@ -247,4 +247,4 @@ TEST(segment, registered_evaluations_have_the_bits_of_the_closed_forms) {
 }
 
 }  // namespace
-}  // namespace cageproof::closed_form::segment
+}  // namespace cageproof::closed_form::segment::segment_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::closed_form {
+namespace cageproof::closed_form::tracked_test {
 namespace {
 
 // One expression after another with cancellation in between, in any arithmetic.
@@ -94,4 +94,4 @@ TEST(double_double, quotients_and_roots_keep_a_hundred_bits) {
 }
 
 }  // namespace
-}  // namespace cageproof::closed_form
+}  // namespace cageproof::closed_form::tracked_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::closed_form {
+namespace cageproof::closed_form::wide_test {
 namespace {
 
 Mp100 exact(const DoubleDouble& x) { return Mp100(x.high) + Mp100(x.low); }
@@ -52,4 +52,4 @@ TEST(frame, the_side_of_the_plane_and_of_the_edges_is_exact) {
 }
 
 }  // namespace
-}  // namespace cageproof::closed_form
+}  // namespace cageproof::closed_form::wide_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::closed_form {
+namespace cageproof::closed_form::working_test {
 namespace {
 
 const std::array<Vec3<double>, 3> kCorners{Vec3<double>(0, 0, 0), Vec3<double>(1, 0, 0), Vec3<double>(0, 1, 0)};
@@ -52,4 +52,4 @@ TEST(Working, fifty_digits_are_all_there_where_fifty_would_cancel) {
 }
 
 }  // namespace
-}  // namespace cageproof::closed_form
+}  // namespace cageproof::closed_form::working_test

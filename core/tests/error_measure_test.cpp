@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace cageproof {
+namespace cageproof::error_measure_test {
 namespace {
 
 const double kInfinity = std::numeric_limits<double>::infinity();
@@ -157,4 +157,4 @@ TEST(worst_cases, keep_the_input_exactly) {
 }
 
 }  // namespace
-}  // namespace cageproof
+}  // namespace cageproof::error_measure_test

@@ -9,7 +9,7 @@
 
 #include <chrono>
 
-namespace cageproof {
+namespace cageproof::mesh_obj_test {
 namespace {
 
 using testing_support::expect_parts;
@@ -259,4 +259,4 @@ TEST(read_cage, gives_back_every_embedded_surface) {
 }
 
 }  // namespace
-}  // namespace cageproof
+}  // namespace cageproof::mesh_obj_test

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace cageproof {
+namespace cageproof::mesh_off_test {
 namespace {
 
 using testing_support::expect_parts;
@@ -83,4 +83,4 @@ TEST(off_rejects, bad_content_naming_line_and_element) {
 }
 
 }  // namespace
-}  // namespace cageproof
+}  // namespace cageproof::mesh_off_test

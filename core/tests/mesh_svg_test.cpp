@@ -7,7 +7,7 @@
 
 #include <chrono>
 
-namespace cageproof {
+namespace cageproof::mesh_svg_test {
 namespace {
 
 using testing_support::expect_parts;
@@ -310,4 +310,4 @@ TEST(svg_reads, big_paths_in_about_a_second) {
 }
 
 }  // namespace
-}  // namespace cageproof
+}  // namespace cageproof::mesh_svg_test

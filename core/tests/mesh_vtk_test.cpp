@@ -9,7 +9,7 @@
 #include <bit>
 #include <cstring>
 
-namespace cageproof {
+namespace cageproof::mesh_vtk_test {
 namespace {
 
 using testing_support::expect_parts;
@@ -333,4 +333,4 @@ TEST(vtp_rejects, bad_content) {
 }
 
 }  // namespace
-}  // namespace cageproof
+}  // namespace cageproof::mesh_vtk_test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cageproof {
+namespace cageproof::point_places_test {
 namespace {
 
 using Faces = std::vector<std::vector<int>>;
@@ -106,4 +106,4 @@ TEST(point_places, refuse_faces_that_are_none) {
 }
 
 }  // namespace
-}  // namespace cageproof
+}  // namespace cageproof::point_places_test

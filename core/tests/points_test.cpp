@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cageproof {
+namespace cageproof::points_test {
 namespace {
 
 using testing_support::expect_parts;
@@ -202,4 +202,4 @@ TEST(points_rejects, files_without_points) {
 }
 
 }  // namespace
-}  // namespace cageproof
+}  // namespace cageproof::points_test

@@ -15,7 +15,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace cageproof {
+namespace cageproof::polygon_test {
 namespace {
 
 using testing_support::expect_parts;
@@ -315,4 +315,4 @@ TEST(polygon, with_looks_for_no_contacts) {
 }
 
 }  // namespace
-}  // namespace cageproof
+}  // namespace cageproof::polygon_test

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace cageproof {
+namespace cageproof::posed_faces_test {
 namespace {
 
 Mesh mesh_of(const Cage& cage) {
@@ -104,4 +104,4 @@ TEST(PosedFaces, are_segments_in_the_plane) {
 }
 
 }  // namespace
-}  // namespace cageproof
+}  // namespace cageproof::posed_faces_test

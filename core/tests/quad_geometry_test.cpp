@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cageproof {
+namespace cageproof::quad_geometry_test {
 namespace {
 
 using Vec = Vec3<double>;
@@ -242,4 +242,4 @@ TEST(on_quad, degenerate_quads) {
 }
 
 }  // namespace
-}  // namespace cageproof
+}  // namespace cageproof::quad_geometry_test

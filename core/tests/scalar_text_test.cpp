@@ -8,7 +8,7 @@
 #include <bit>
 #include <cmath>
 
-namespace cageproof {
+namespace cageproof::scalar_text_test {
 namespace {
 
 template <class R>
@@ -79,4 +79,4 @@ TEST(format_hex, is_exact) {
 }
 
 }  // namespace
-}  // namespace cageproof
+}  // namespace cageproof::scalar_text_test

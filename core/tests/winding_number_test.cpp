@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cageproof {
+namespace cageproof::winding_number_test {
 namespace {
 
 std::vector<Triangle<double>> triangles_of(const Cage& cage) {
@@ -89,4 +89,4 @@ TEST(winding_number, in_the_plane) {
 }
 
 }  // namespace
-}  // namespace cageproof
+}  // namespace cageproof::winding_number_test

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <map>
 
-namespace cageproof {
+namespace cageproof::winding_numbers_test {
 namespace {
 
 std::vector<Triangle<double>> all_triangles(const CageElements& elements) {
@@ -227,4 +227,4 @@ TEST(winding_numbers, hold_in_any_unit) {
 }
 
 }  // namespace
-}  // namespace cageproof
+}  // namespace cageproof::winding_numbers_test

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::aligned_routes_test {
 namespace {
 
 enum Alignment { kHard, kSoft, kFree, kNonNegative };
@@ -111,4 +111,4 @@ TEST(aligned_routes, of_the_cube_the_bar_and_polygons) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::aligned_routes_test

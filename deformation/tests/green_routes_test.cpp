@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::green_routes_test {
 namespace {
 
 using Wide = Vec3<Mp50>;
@@ -78,4 +78,4 @@ TEST(green_routes, images_are_sums_over_integrated_layers) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::green_routes_test

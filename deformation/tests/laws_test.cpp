@@ -9,7 +9,7 @@
 
 #include <numbers>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::laws_test {
 namespace {
 
 using Map = Eigen::Matrix3d;
@@ -273,4 +273,4 @@ TEST(reported, rank_condition_and_orientation) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::laws_test

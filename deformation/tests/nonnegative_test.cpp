@@ -13,7 +13,7 @@
 
 #include <map>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::nonnegative_test {
 namespace {
 
 Matrix<double> random_matrix(std::string_view name, std::uint64_t index, Eigen::Index rows, Eigen::Index columns) {
@@ -142,4 +142,4 @@ TEST(nonnegative, refuses_what_is_not_finite) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::nonnegative_test

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::plane_test {
 namespace {
 
 constexpr double kUnit = 0, kComplex = 1, kAhap = 2;
@@ -248,4 +248,4 @@ TEST(plane, fifty_digits_agree_with_double) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::plane_test

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::quad_laws_test {
 namespace {
 
 using Map = Eigen::Matrix3d;
@@ -164,4 +164,4 @@ TEST(quad_laws, methods_are_found_by_those_that_they_keep_the_quads_of) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::quad_laws_test

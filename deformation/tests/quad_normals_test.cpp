@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::quad_normals_test {
 namespace {
 
 constexpr std::array all_stretches{Stretch::Rms, Stretch::Mean, Stretch::Area, Stretch::Unit, Stretch::Product};
@@ -160,4 +160,4 @@ TEST(quad_normals, of_a_posed_quad_without_area_are_refused_by_its_name) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::quad_normals_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::quad_routes_test {
 namespace {
 
 // Next to a face plain sums take more points.
@@ -154,4 +154,4 @@ TEST(quad_routes, densities_of_1_3_are_least_squares_of_the_samples) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::quad_routes_test

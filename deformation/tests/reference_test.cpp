@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::reference_test {
 namespace {
 
 struct Reference {
@@ -114,4 +114,4 @@ TEST(reference, cube_in_50_digits) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::reference_test

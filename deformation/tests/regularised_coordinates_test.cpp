@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::regularised_coordinates_test {
 namespace {
 
 constexpr std::array kinds{"regularised_1_3", "regularised_1_2", "regularised_weber"};
@@ -226,4 +226,4 @@ TEST(regularised, refuses_parameters_out_of_range_and_evaluations_without_limits
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::regularised_coordinates_test

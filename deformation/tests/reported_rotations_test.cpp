@@ -4,7 +4,7 @@
 #include "settings.h"
 #include "variational_cases.h"
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::reported_rotations_test {
 namespace {
 
 enum Variant { kGlobal, kLocal, kBlend };
@@ -166,4 +166,4 @@ TEST(reported, variational_rotations_that_are_not_unique) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::reported_rotations_test

@@ -10,7 +10,7 @@
 
 #include <random>
 
-namespace cageproof::deformation {
+namespace cageproof::deformation::sparse_weights_test {
 namespace {
 
 using test::Vec;
@@ -349,4 +349,4 @@ TEST(SparseWeights, are_refused_to_kinds_without_a_bound) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation
+}  // namespace cageproof::deformation::sparse_weights_test

@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::thickness_test {
 namespace {
 
 constexpr int kSamples = 4;
@@ -243,4 +243,4 @@ TEST(thickness, rejects) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::thickness_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::thin_plane_test {
 namespace {
 
 using Corners = std::vector<std::array<double, 2>>;
@@ -163,4 +163,4 @@ TEST(thin_plane, large_cages_stay_in_double_and_say_why_digits_are_lost) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::thin_plane_test

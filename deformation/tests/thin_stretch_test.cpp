@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::thin_stretch_test {
 namespace {
 
 // A prism over a quadrangle one of whose corners is cut off at a distance t: thin faces beside large ones. The lid is
@@ -140,4 +140,4 @@ TEST(thin_stretch, says_of_edges_beyond_double_that_they_are) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::thin_stretch_test

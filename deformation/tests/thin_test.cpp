@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::thin_test {
 namespace {
 
 // A tetrahedron without its tip, of which a share is cut off: the cut is small, and its neighbours are needles.
@@ -59,4 +59,4 @@ TEST(thin, elements_that_stay_in_double_are_named) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::thin_test

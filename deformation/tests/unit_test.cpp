@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::unit_test {
 namespace {
 
 std::vector<Vec> times(double s, std::vector<Vec> points) {
@@ -160,4 +160,4 @@ TEST(rejected, samples_that_no_memory_holds) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::unit_test

@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-namespace cageproof {
+namespace cageproof::far_faces_test {
 namespace {
 
 using namespace block_errors;
@@ -175,4 +175,4 @@ TEST(FarRules, of_a_line_integrates_polynomials) {
 }
 
 }  // namespace
-}  // namespace cageproof
+}  // namespace cageproof::far_faces_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::closed_form {
+namespace cageproof::closed_form::joint_test {
 namespace {
 
 using Vec = Vec3<double>;
@@ -161,4 +161,4 @@ TEST(joint, green_coordinates_of_polygons) {
 }
 
 }  // namespace
-}  // namespace cageproof::closed_form
+}  // namespace cageproof::closed_form::joint_test

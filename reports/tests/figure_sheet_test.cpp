@@ -22,7 +22,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace cageproof::reports {
+namespace cageproof::reports::figure_sheet_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -371,4 +371,4 @@ TEST(Thinned, keeps_the_shape_with_fewer_vertices) {
 }
 
 }  // namespace
-}  // namespace cageproof::reports
+}  // namespace cageproof::reports::figure_sheet_test

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace cageproof::reports {
+namespace cageproof::reports::given_cage_test {
 namespace {
 
 ResultRow made_row(const char* kind, const char* check, const char* place, double relative, Verdict verdict) {
@@ -199,4 +199,4 @@ TEST(GivenCage, SaysWhatIsUndecided) {
 TEST(GivenCage, IsNoSectionOfOtherRuns) { EXPECT_EQ(given_cage_section(index_of(sample_run(1, 1))), ""); }
 
 }  // namespace
-}  // namespace cageproof::reports
+}  // namespace cageproof::reports::given_cage_test

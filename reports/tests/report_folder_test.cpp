@@ -15,7 +15,7 @@
 
 #include <cstdlib>
 
-namespace cageproof::reports {
+namespace cageproof::reports::report_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -326,4 +326,4 @@ TEST(ReportFolder, APictureThatGnuplotRefusesIsToldAndLosesNothingElse) {
 }
 
 }  // namespace
-}  // namespace cageproof::reports
+}  // namespace cageproof::reports::report_folder_test

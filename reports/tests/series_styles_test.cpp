@@ -12,7 +12,7 @@
 #include <set>
 #include <tuple>
 
-namespace cageproof::reports {
+namespace cageproof::reports::series_styles_test {
 namespace {
 
 ResultCurve curve_of(const std::string& formula, const std::string& evaluation, const char* scalar, const char* role) {
@@ -85,4 +85,4 @@ TEST(SeriesStyles, AreAFunctionOfWhatWasFound) {
 }
 
 }  // namespace
-}  // namespace cageproof::reports
+}  // namespace cageproof::reports::series_styles_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::reports {
+namespace cageproof::reports::shown_names_test {
 namespace {
 
 TEST(ShownNames, AreTheLastPartsOfPaths) {
@@ -70,4 +70,4 @@ TEST(ShownNames, StandInHeadingsTablesAndTitlesOfPages) {
 }
 
 }  // namespace
-}  // namespace cageproof::reports
+}  // namespace cageproof::reports::shown_names_test

@@ -14,7 +14,7 @@
 #include <bit>
 #include <cmath>
 
-namespace cageproof::reports {
+namespace cageproof::reports::worst_file_test {
 namespace {
 
 // Zero's sign and the bits of a NaN count, too.
@@ -257,4 +257,4 @@ TEST_F(WorstFile, BadLinesAreNamed) {
 }
 
 }  // namespace
-}  // namespace cageproof::reports
+}  // namespace cageproof::reports::worst_file_test

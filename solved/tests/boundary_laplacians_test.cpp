@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::solved::test {
+namespace cageproof::solved::test::boundary_laplacians_test {
 namespace {
 
 constexpr double kVertices = 0, kMidpoints = 1, kDiameter = 0, kOwn = 1;
@@ -124,4 +124,4 @@ TEST(unit, does_not_change_the_offset) {
 }
 
 }  // namespace
-}  // namespace cageproof::solved::test
+}  // namespace cageproof::solved::test::boundary_laplacians_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::solved::test {
+namespace cageproof::solved::test::convergence_test {
 namespace {
 
 constexpr double kVertices = 0, kDefault = 1;
@@ -176,4 +176,4 @@ TEST(biharmonic_boundary, has_a_harmonic_laplacian) {
 }
 
 }  // namespace
-}  // namespace cageproof::solved::test
+}  // namespace cageproof::solved::test::convergence_test

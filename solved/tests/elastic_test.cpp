@@ -7,7 +7,7 @@
 
 #include <functional>
 
-namespace cageproof::solved::test {
+namespace cageproof::solved::test::elastic_test {
 namespace {
 
 using C = std::complex<double>;
@@ -178,4 +178,4 @@ TEST(elastic, is_in_equilibrium_inside) {
 }
 
 }  // namespace
-}  // namespace cageproof::solved::test
+}  // namespace cageproof::solved::test::elastic_test

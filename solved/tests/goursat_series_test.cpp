@@ -9,7 +9,7 @@
 
 #include <Eigen/LU>
 
-namespace cageproof::solved::goursat {
+namespace cageproof::solved::goursat::goursat_series_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi, kHalf = 0.5;
@@ -158,4 +158,4 @@ TEST(goursat_series, clamped_plate_bends_as_known) {
   EXPECT_NEAR(curvature, 0.051334, 1e-6);
 }
 
-}  // namespace cageproof::solved::goursat
+}  // namespace cageproof::solved::goursat::goursat_series_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::solved::test {
+namespace cageproof::solved::test::harmonic_in_space_test {
 namespace {
 
 // Affine data have constant normal derivatives on each face, which the scheme contains: nothing but rounding is left.
@@ -195,4 +195,4 @@ TEST(harmonic_in_space, refuse_what_they_cannot_do) {
 }
 
 }  // namespace
-}  // namespace cageproof::solved::test
+}  // namespace cageproof::solved::test::harmonic_in_space_test

@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-namespace cageproof::solved::test {
+namespace cageproof::solved::test::harmonic_test {
 namespace {
 
 constexpr int kCollocations = 4;
@@ -91,4 +91,4 @@ TEST(harmonic, are_harmonic) {
 }
 
 }  // namespace
-}  // namespace cageproof::solved::test
+}  // namespace cageproof::solved::test::harmonic_test

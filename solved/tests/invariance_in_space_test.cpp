@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::solved::test {
+namespace cageproof::solved::test::invariance_in_space_test {
 namespace {
 
 // A block of triangles, because a quad's diagonal may change when the cage turns.
@@ -134,4 +134,4 @@ TEST(harmonic_at_many_points, are_those_of_each) {
 }
 
 }  // namespace
-}  // namespace cageproof::solved::test
+}  // namespace cageproof::solved::test::invariance_in_space_test

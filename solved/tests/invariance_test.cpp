@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::solved::test {
+namespace cageproof::solved::test::invariance_test {
 namespace {
 
 class EverySolvedKind : public testing::TestWithParam<const char*> {};
@@ -131,4 +131,4 @@ TEST_P(EverySolvedKind, is_the_same_for_many_points_at_once) {
 }
 
 }  // namespace
-}  // namespace cageproof::solved::test
+}  // namespace cageproof::solved::test::invariance_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::solved::test {
+namespace cageproof::solved::test::triharmonic_boundary_test {
 namespace {
 
 using C = std::complex<double>;
@@ -210,4 +210,4 @@ TEST(triharmonic_boundary, in_double_is_that_in_fifty_digits) {
 }
 
 }  // namespace
-}  // namespace cageproof::solved::test
+}  // namespace cageproof::solved::test::triharmonic_boundary_test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cageproof::validation {
+namespace cageproof::validation::cage_campaign_test {
 namespace {
 
 // Runs judge many points; these are for every path of the code, sanitized too.
@@ -353,4 +353,4 @@ TEST(coordinates, mean_value_derivatives_agree_with_differences) {
 }
 
 }  // namespace
-}  // namespace cageproof::validation
+}  // namespace cageproof::validation::cage_campaign_test

@@ -20,7 +20,7 @@
 #include <fstream>
 #include <set>
 
-namespace cageproof::validation {
+namespace cageproof::validation::paper_figures_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -318,4 +318,4 @@ TEST(PaperFigures, parameters_that_do_not_exist_are_refused) {
 }
 
 }  // namespace
-}  // namespace cageproof::validation
+}  // namespace cageproof::validation::paper_figures_test

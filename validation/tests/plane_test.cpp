@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cageproof::validation {
+namespace cageproof::validation::plane_test {
 namespace {
 
 const Formula& formula() { return *find_formula("segment.single_layer"); }
@@ -144,4 +144,4 @@ TEST(plane_cage, points_on_it_are_its_vertices_and_points_within_segments) {
 }
 
 }  // namespace
-}  // namespace cageproof::validation
+}  // namespace cageproof::validation::plane_test

@@ -17,7 +17,7 @@
 #include <bit>
 #include <set>
 
-namespace cageproof::validation {
+namespace cageproof::validation::replay_test {
 namespace {
 
 std::string text_of(const RowKey& row) {
@@ -159,4 +159,4 @@ TEST(replayed, what_was_never_asked_is_refused) {
 }
 
 }  // namespace
-}  // namespace cageproof::validation
+}  // namespace cageproof::validation::replay_test

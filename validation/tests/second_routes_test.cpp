@@ -12,7 +12,7 @@
 
 #include <limits>
 
-namespace cageproof::validation {
+namespace cageproof::validation::second_routes_test {
 namespace {
 
 std::vector<ResultRow> second_route_rows(const std::string& kind, const std::string& cage) {
@@ -145,4 +145,4 @@ TEST(second_routes, see_a_first_route_that_is_off_by_less_than_double_shows) {
   }
 }
 
-}  // namespace cageproof::validation
+}  // namespace cageproof::validation::second_routes_test

@@ -17,7 +17,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::validation {
+namespace cageproof::validation::switch_test {
 namespace {
 
 namespace cf = closed_form::triangle;
@@ -94,4 +94,4 @@ TEST(far_switch, kelvin_traction) { expect_no_jump<cf::KelvinTraction>("triangle
 TEST(far_switch, mean_value) { expect_no_jump<cf::MeanValue>("triangle.mean_value", 30); }
 
 }  // namespace
-}  // namespace cageproof::validation
+}  // namespace cageproof::validation::switch_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cageproof::validation {
+namespace cageproof::validation::tensor_errors_test {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
@@ -202,4 +202,4 @@ TEST(border_values, are_what_is_approached_from_inside) {
 }
 
 }  // namespace
-}  // namespace cageproof::validation
+}  // namespace cageproof::validation::tensor_errors_test

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <limits>
 
-namespace cageproof::validation {
+namespace cageproof::validation::truth_cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,4 +155,4 @@ TEST_F(TruthCacheTest, question_holds_every_bit_of_the_input) {
 }
 
 }  // namespace
-}  // namespace cageproof::validation
+}  // namespace cageproof::validation::truth_cache_test
