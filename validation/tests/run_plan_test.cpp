@@ -20,18 +20,30 @@ int notes_on(const RunPlan& plan, const std::string& cage) {
       plan.header.notes, [&](const std::string& note) { return note.starts_with(cage + ": its error fields"); }));
 }
 
-TEST(RunPlan, quick_leaves_out_the_fields_of_larger_embedded_cages_and_says_so) {
+RunPlan plan_of_all(int suite) {
   VerifyOptions options;
-  options.suite = suites().front();
-  const RunPlan quick = plan_run(options);
+  options.suite = suites()[suite];
+  return plan_run(options);
+}
+
+// Plans of everything; each takes some seconds.
+const RunPlan& quick_plan() {
+  static const RunPlan plan = plan_of_all(0);
+  return plan;
+}
+const RunPlan& standard_plan() {
+  static const RunPlan plan = plan_of_all(1);
+  return plan;
+}
+
+TEST(RunPlan, quick_leaves_out_the_fields_of_larger_embedded_cages_and_says_so) {
+  const RunPlan &quick = quick_plan(), &standard = standard_plan();
   EXPECT_GT(fields_of(quick, "cube"), 0);
   EXPECT_EQ(notes_on(quick, "cube"), 0);
   for (const char* cage : {"torus", "spiky-box", "icosphere"}) {
     EXPECT_EQ(fields_of(quick, cage), 0) << cage;
     EXPECT_EQ(notes_on(quick, cage), 1) << cage;
   }
-  options.suite = suites()[1];
-  const RunPlan standard = plan_run(options);
   for (const char* cage : {"cube", "torus", "spiky-box", "icosphere"}) {
     EXPECT_GT(fields_of(standard, cage), 0) << cage;
     EXPECT_EQ(notes_on(standard, cage), 0) << cage;
@@ -60,11 +72,7 @@ int measured(const RunPlan& plan, const std::string& part) {
 
 // Slow rows without promises are left out of the quick suite.
 TEST(RunPlan, quick_leaves_slow_rows_and_fields_without_promise_to_standard_and_to_users_cages) {
-  VerifyOptions options;
-  options.suite = suites().front();
-  const RunPlan quick = plan_run(options);
-  options.suite = suites()[1];
-  const RunPlan standard = plan_run(options);
+  const RunPlan &quick = quick_plan(), &standard = standard_plan();
   const std::vector<std::string> slow{"cube, quad_green, adaptive", "field cube.quad_green.line_form.error",
                                       "star, biharmonic_boundary, offset-1e-6"};
   for (const std::string& part : slow) {
@@ -78,7 +86,9 @@ TEST(RunPlan, quick_leaves_slow_rows_and_fields_without_promise_to_standard_and_
   EXPECT_EQ(std::ranges::count(quick.header.notes,
                                "cube: error fields of coordinates that keep its quads are drawn by longer suites"),
             1);
+  VerifyOptions options;
   options.suite = suites().front();
+  options.only_cage = true;
   options.cage = embedded_cage("star");
   EXPECT_EQ(measured(plan_run(options), "star, biharmonic_boundary, offset-1e-6"), 1);
 }
