@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/coordinates/coordinates.h"
 
-#include "summed.h"
+#include "summed/summed.h"
 
 #include "cageproof/core/coordinates/coordinate_tables.h"
 #include "cageproof/core/input_error.h"
