@@ -12,6 +12,7 @@ interpreter's lock, and use all cores unless threads=... says fewer.
 
 from ._library import Error, names, version
 from .cage import Block, BoundPoints, Cage, Coordinates, Deformer, Places, read
+from .judging import judge
 from .potentials import Formula, evaluate, formula, potentials
 
 __version__ = version()
@@ -26,6 +27,7 @@ __all__ = [
     "Places",
     "evaluate",
     "formula",
+    "judge",
     "names",
     "potentials",
     "read",
