@@ -91,7 +91,7 @@ def pose(mesh: Any, depsgraph: Any, again: bool = True) -> bool:
 
     Raises Error if cage or mesh are not those that were bound."""
     cage = mesh.cageproof.cage
-    if cage is None or cage.name not in bpy.context.scene.objects:
+    if cage is None or cage.name not in depsgraph.scene.objects:
         raise Error(f"the cage of '{mesh.name}' is not in the scene: bring it back, or unbind")
     binding = binding_of(mesh)
     if len(mesh.data.vertices) != len(binding.points):

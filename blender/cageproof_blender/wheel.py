@@ -14,7 +14,8 @@ def find() -> None:
     """Makes `import cageproof` work: as it is installed, or else from the wheel beside, unpacked once next to it.
 
     Raises ImportError if there is neither."""
-    if importlib.util.find_spec("cageproof") is not None:
+    found = importlib.util.find_spec("cageproof")
+    if found is not None and found.origin:  # a mere folder of that name has no origin
         return
     wheels = sorted((FOLDER / "wheels").glob("cageproof-*.whl"))
     if not wheels:

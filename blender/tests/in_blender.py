@@ -104,6 +104,9 @@ bpy.context.scene.frame_set(1)
 assert np.abs(key(follower) - points).max() < 1e-5
 bpy.context.scene.frame_set(11)
 assert np.abs(key(follower) - np.load(FOLDER / "images.npy")).max() < 1e-5
+# What is rendered is the mesh as evaluated for the frame, not for the one before.
+shown = follower.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices
+assert np.abs(np.array([v.co[:] for v in shown]) - np.load(FOLDER / "images.npy")).max() < 1e-5
 
 # A saved file keeps what is bound.
 file = str(FOLDER / "saved.blend")

@@ -104,3 +104,21 @@ def test_zip(manifest, tmp_path):
     other = wheel.rename(wheel.with_name("cageproof-9.9.9-py3-none-linux_x86_64.whl"))
     done = subprocess.run([*build, "--wheel", other], capture_output=True, text=True)
     assert done.returncode == 2 and "make them the same" in done.stderr
+
+
+def test_the_wheel_is_found(tmp_path):
+    """Blender before 4.2 does not install it: the add-on unpacks it once, beside itself."""
+    (tmp_path / "wheels").mkdir()
+    (tmp_path / "wheel.py").write_text((ADD_ON / "wheel.py").read_text())
+
+    def imports():
+        code = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import wheel; wheel.find(); import cageproof; print(cageproof.__file__)"
+        return subprocess.run([sys.executable, "-I", "-S", "-B", "-c", code], capture_output=True, text=True)
+
+    assert "no package cageproof, and no wheel in" in imports().stderr
+    name = "cageproof-0.1.0-py3-none-linux_x86_64"
+    with zipfile.ZipFile(tmp_path / f"wheels/{name}.whl", "w") as packed:
+        packed.writestr("cageproof/__init__.py", "")
+    for _ in range(2):
+        assert imports().stdout.strip() == str(tmp_path / "wheels" / name / "cageproof/__init__.py")
+    assert {f.name for f in (tmp_path / "wheels").iterdir()} == {name, f"{name}.whl"}
