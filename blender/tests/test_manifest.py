@@ -106,6 +106,16 @@ def test_zip(manifest, tmp_path):
     assert done.returncode == 2 and "make them the same" in done.stderr
 
 
+def test_the_real_wheel(manifest, tmp_path):
+    """The package stands at the root of the wheel that is built, with its library."""
+    done = subprocess.run([sys.executable, PROJECT / "blender/build.py", "--out", tmp_path], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    with zipfile.ZipFile(done.stdout.strip()) as packed, packed.open("cageproof_blender" + manifest["wheels"][0][1:]) as wheel:
+        names = zipfile.ZipFile(wheel).namelist()
+    assert {f"cageproof/{name}" for name in ("__init__.py", "libcageproof.so", "LICENSE", "licences.md")} <= set(names)
+    assert not [name for name in names if ".data/" in name]
+
+
 def test_the_wheel_is_found(tmp_path):
     """Blender before 4.2 does not install it: the add-on unpacks it once, beside itself."""
     (tmp_path / "wheels").mkdir()

@@ -183,7 +183,7 @@ def judge(
 
     samples, regimes, seed, promise, measure, seconds: as of the command. isolate: f runs in forked copies of this process, so that
     crashes, endless loops and kept state are found; without, in a thread of it. program: the file of `cageproof`; else
-    CAGEPROOF_PROGRAM, the one on the path, or of the project's build. Raises Error for bad arguments."""
+    CAGEPROOF_PROGRAM, the one on the path, or of the project's build. Raises Error for bad arguments. On Linux only."""
     if not callable(f):
         raise Error("f is no function")
     if order not in (0, 1, 2):
