@@ -14,17 +14,19 @@ ENDED = "the callable's process ended"
 
 def main(connection: socket.socket) -> str:
     """The text to end with: "" where all was answered."""
-    poll, questions, rest, open_ = select.poll(), b"", b"", 0
-    while True:
+    poll, questions, rest, open_, ended = select.poll(), b"", b"", 0, False
+    while open_ or not ended:
         # Neither side waits for the other while it has something to say.
-        poll.register(0, 0 if questions else select.POLLIN)
+        if not ended:
+            poll.register(0, 0 if questions else select.POLLIN)
         poll.register(connection, select.POLLIN | (select.POLLOUT if questions else 0))
         events = dict(poll.poll())
         if events.get(0) and not questions:
             questions = os.read(0, SIZE)
-            if not questions:
-                return ""
             open_ += questions.count(b"\n")
+            if not questions:
+                ended = True
+                poll.unregister(0)
         event = events.get(connection.fileno(), 0)
         try:
             if event & select.POLLOUT:
@@ -44,6 +46,7 @@ def main(connection: socket.socket) -> str:
             continue
         except OSError:
             return ENDED
+    return ""
 
 
 with socket.socket(socket.AF_UNIX) as one:

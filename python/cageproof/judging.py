@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Judges a Python callable by the program `cageproof` (docs/judge.md), which asks it through a relay and a socket."""
 
+import contextlib
 import faulthandler
 import json
 import os
@@ -14,11 +15,11 @@ import sys
 import tempfile
 import threading
 from pathlib import Path
-from typing import Any, Callable, Dict, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 
-from ._library import Error
+from ._library import Error, names
 from .potentials import formula
 
 _RELAY = Path(__file__).resolve().with_name("_relay.py")
@@ -34,41 +35,53 @@ def _program(given: Optional[str]) -> str:
 
 
 class _Answers:
-    """Answers lines of the protocol by the callable."""
+    """Answers lines of the protocol by the callable: those of a formula."""
 
     def __init__(self, name: str, f: Callable, order: int):
         about = f"{getattr(f, '__module__', '')}.{getattr(f, '__qualname__', type(f).__name__)}"
-        self.f, self.order, self.shape = f, order, formula(name)
+        self.f, self.order = f, order
         self.description = {"formulas": {name: order}, "about": about}
 
     def __call__(self, query: Dict[str, Any]) -> Dict[str, Any]:
         if "describe" in query:
             return self.description
-        order, parameters = query["order"], {name: float(_numbers(x)) for name, x in query.get("parameters", {}).items()}
         try:
-            given = self.f(_numbers(query["element"]), _numbers(query["point"]), **parameters)
+            return self.answer(query)
         except NotImplementedError as error:
             return {"error": str(error) or "not implemented"}
+
+    def answer(self, query: Dict[str, Any]) -> Dict[str, Any]:
+        shape, parameters = formula(query["formula"]), {name: float(_numbers(x)) for name, x in query.get("parameters", {}).items()}
+        try:
+            given = self.f(_numbers(query["element"]), _numbers(query["point"]), **parameters)
         except ArithmeticError:
-            given = [np.full(self.shape.shape + (self.shape.dimension,) * o, np.nan) for o in range(self.order + 1)]
+            given = [np.full(shape.shape + (shape.dimension,) * o, np.nan) for o in range(self.order + 1)]
             given = given if self.order else given[0]
         arrays = given if self.order else (given,)
         words = ("value", "gradient", "hessian")
-        return {words[o]: [_text(x) for x in np.asarray(arrays[o], float).ravel().tolist()] for o in range(order + 1)}
+        return {words[o]: _texts(np.asarray(arrays[o], float).ravel()) for o in range(query["order"] + 1)}
 
     def serve(self, connection: socket.socket) -> None:
         """Until the relay goes away. Any other error of the callable is told to the relay, which ends by it."""
-        with connection, connection.makefile("rwb") as stream:
+        with connection, connection.makefile("rb") as stream, contextlib.suppress(OSError):
             for line in stream:
                 try:
                     answer = json.dumps(self(json.loads(line)))
                 except Exception as error:
                     answer = f"!{type(error).__name__}: {error}".replace("\n", " ")
-                try:
-                    stream.write(answer.encode() + b"\n")
-                    stream.flush()
-                except OSError:
-                    return
+                connection.sendall(answer.encode() + b"\n")
+
+
+class _CageAnswers(_Answers):
+    """Those of whole cages."""
+
+    def answer(self, query: Dict[str, Any]) -> Dict[str, Any]:
+        points = _numbers(query["points"])
+        try:
+            given = np.asarray(self.f(_numbers(query["vertices"]), np.array(query["faces"], np.int32), points), float)
+        except ArithmeticError:
+            given = np.full((len(points), len(query["vertices"])), np.nan)
+        return {"coordinates": [_texts(row) for row in np.atleast_2d(given)]}
 
 
 def _numbers(nested: Any) -> np.ndarray:
@@ -82,8 +95,9 @@ def _numbers(nested: Any) -> np.ndarray:
     return np.array(number(nested))
 
 
-def _text(x: float) -> Any:
-    return x if np.isfinite(x) else str(x)
+def _texts(numbers: np.ndarray) -> List[Any]:
+    """As JSON has them, which knows neither NaN nor infinity."""
+    return [x if np.isfinite(x) else str(x) for x in numbers.tolist()]
 
 
 class _Children:
@@ -161,7 +175,7 @@ def _run(command: list, listening: socket.socket, answers: _Answers, isolate: bo
 
 
 def judge(
-    formula: str,
+    name: str,
     f: Callable,
     order: int = 0,
     samples: int = 200,
@@ -181,6 +195,9 @@ def judge(
     of the formula ("nu") come as keywords. NotImplementedError declines an input, ArithmeticError counts as NaN; any other
     exception is a finding.
 
+    name may also be a kind of coordinates ("mean_value", "green"), of whole cages of triangles: f(vertices, faces, points) of arrays
+    (n, 3), (m, 3) and (k, 3) gives one row of coordinates per point, those of vertices before those of faces.
+
     samples, regimes, seed, promise, measure, seconds: as of the command. isolate: f runs in forked copies of this process, so that
     crashes, endless loops and kept state are found; without, in a thread of it. program: the file of `cageproof`; else
     CAGEPROOF_PROGRAM, the one on the path, or of the project's build. Raises Error for bad arguments. On Linux only."""
@@ -188,13 +205,18 @@ def judge(
         raise Error("f is no function")
     if order not in (0, 1, 2):
         raise Error(f"order {order} is none of 0, 1, 2")
-    answers = _Answers(formula, f, order)
-    found = _program(program)
+    kind = name in names("kinds")
+    if kind and order:
+        raise Error(f"{name} is a kind of coordinates: only values (order 0) are judged")
+    if not kind:
+        formula(name)  # an unknown name
+    answers, found = (_CageAnswers if kind else _Answers)(name, f, order), _program(program)
     with tempfile.TemporaryDirectory(prefix="cageproof") as folder, socket.socket(socket.AF_UNIX) as listening:
         listening.bind(f"{folder}/socket")
         listening.listen()
         what = shlex.join([sys.executable or "python3", "-I", "-S", str(_RELAY), f"{folder}/socket"])
-        words = ["judge", f"callable={what}", "--formula", formula, "--samples", samples, "--regimes", regimes, "--seed", seed, "--seconds", seconds]
+        words = ["judge", f"callable={what}", "--kind" if kind else "--formula", name, "--samples", samples, "--regimes", regimes]
+        words += ["--seed", seed, "--seconds", seconds]
         if promise is not None:
             words += ["--promise", promise, "--measure", measure]
         done = _run([found, *map(str, words), "--quiet", "--out", f"{folder}/out"], listening, answers, isolate)

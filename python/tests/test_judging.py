@@ -2,13 +2,17 @@
 """cageproof.judge: callables of Python, judged by the program."""
 
 import ctypes
+import json
 import os
+import socket
 import subprocess
 import sys
+import threading
 
 import cageproof
 import numpy as np
 import pytest
+from cageproof import judging
 
 FORMULA = "segment.winding_angle"
 FEW = {"samples": 8, "regimes": "generic,near-vertex"}
@@ -62,18 +66,41 @@ def test_conventions_and_promises():
     "wrong, kind, text",
     [
         (lambda e, p: ctypes.string_at(0), "exit", "the callable's process ended"),
-        (lambda e, p: {}["gone"], "exit", "KeyError: 'gone'"),
         (lambda e, p: exec("while True: pass"), "hang", "no answer within 0.25 s"),
         (lambda e, p: [angle(e, p)] * 0, "short answer", "0 numbers"),
     ],
 )
 def test_what_goes_wrong(wrong, kind, text):
-    def sometimes(element, point):
-        return wrong(element, point) if 0.25 < point[0] < 0.3 else angle(element, point)
+    # At one input only: each crash takes the judge a while.
+    few = {"samples": 4, "regimes": "generic"}
+    row = cageproof.judge(FORMULA, angle, **few)["formulas"][0]["rows"][0]
+    there = [float.fromhex(x) for x in row["relative"]["input"]["point"]]
 
-    found = cageproof.judge(FORMULA, sometimes, samples=8, regimes="generic", seconds=0.25 if kind == "hang" else 10)
+    def once(element, point):
+        return wrong(element, point) if point.tolist() == there else angle(element, point)
+
+    found = cageproof.judge(FORMULA, once, seconds=0.25 if kind == "hang" else 10, **few)
     assert found["verdict"] == "defects"
     assert any(kind in finding["kind"] and text in finding["text"] for finding in found["findings"]), found["findings"]
+
+
+def test_exceptions_end_the_relay(tmp_path):
+    """With their text, behind the answers before; `judge` takes a process's last line on standard error."""
+
+    def fragile(element, point):
+        return {}["gone"] if point[0] else 0.5
+
+    with socket.socket(socket.AF_UNIX) as listening:
+        listening.bind(str(tmp_path / "socket"))
+        listening.listen()
+        command = [sys.executable, "-I", "-S", judging._RELAY, tmp_path / "socket"]
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as relay:
+            served = threading.Thread(target=judging._Answers(FORMULA, fragile, 0).serve, args=(listening.accept()[0],))
+            served.start()
+            lines = [json.dumps({"formula": FORMULA, "order": 0, "element": [[0, 0], [1, 0]], "point": [x, 0]}) for x in (0, 0, 1, 0)]
+            out, err = relay.communicate("\n".join(lines) + "\n", timeout=20)
+            served.join(20)
+    assert (out, err.strip(), relay.returncode) == ('{"value": [0.5]}\n' * 2, "KeyError: 'gone'", 1)
 
 
 def test_declined_inputs_are_no_defect():
@@ -95,6 +122,15 @@ def test_the_package_itself_with_derivatives_and_a_parameter():
     assert {(row["order"], row["samples"]) for row in found["formulas"][0]["rows"]} == {(0, 4), (1, 4)}
 
 
+@pytest.mark.parametrize("factor, verdict", [(1, "clean"), (1 + 1e-6, "defects")])
+def test_coordinates_of_whole_cages(factor, verdict):
+    def own(vertices, faces, points):
+        return factor * cageproof.Cage(vertices, faces).coordinates("mean_value", points, threads=1)
+
+    found = cageproof.judge("mean_value", own, samples=4, regimes="inside")
+    assert found["verdict"] == verdict, found["findings"]
+
+
 def test_without_isolation():
     """A thread of this process answers, and keeps what it was told."""
     seen = []
@@ -107,6 +143,7 @@ def test_what_is_refused(tmp_path):
         (("triangle.nothing", angle), {}, "triangle.nothing"),
         ((FORMULA, 3), {}, "no function"),
         ((FORMULA, angle), {"order": 3}, "order 3"),
+        (("mean_value", angle), {"order": 1}, "only values"),
         ((FORMULA, angle), {"regimes": "nowhere"}, "nowhere"),
         ((FORMULA, angle), {"program": str(tmp_path / "absent")}, "is no program"),
     ]:
