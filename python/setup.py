@@ -9,7 +9,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from setuptools import setup
+from setuptools import Distribution, setup
 from setuptools.command.build_py import build_py
 from wheel.bdist_wheel import bdist_wheel
 
@@ -50,12 +50,15 @@ class BuildWithLibrary(build_py):
             subprocess.run(["strip", "--strip-unneeded", str(to)], check=True)
 
 
+class WithLibrary(Distribution):
+    """Not pure Python. The package then stands at the wheel's root, where it also serves those who only unpack the wheel."""
+
+    def has_ext_modules(self):
+        return True
+
+
 class PlatformWheel(bdist_wheel):
     """Any Python 3 on this platform."""
-
-    def finalize_options(self):
-        super().finalize_options()
-        self.root_is_pure = False
 
     def get_tag(self):
         return "py3", "none", super().get_tag()[2]
@@ -70,6 +73,7 @@ setup(
     package_data={"cageproof": ["py.typed"]},
     python_requires=">=3.9",
     install_requires=["numpy"],
+    distclass=WithLibrary,
     cmdclass={"build_py": BuildWithLibrary, "bdist_wheel": PlatformWheel},
     zip_safe=False,
 )

@@ -66,6 +66,7 @@ python3-pip              builds and installs that package
 python3-setuptools       builds its wheel
 python3-wheel            likewise
 python3-venv             installs it in a folder of its own
+abigail-tools            abidiff: whether programs compiled with an older cageproof.h still run
 pkgconf                  the installed library, found by pkg-config
 chromium                 opens the report's pages, without a display
 python3-vtk9             looks at the picture of a field's page

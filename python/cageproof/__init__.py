@@ -10,9 +10,24 @@ interpreter's lock, and use all cores unless threads=... says fewer.
     cage.inside([[0, 0, 0], [2, 0, 0]])           # array([ 1, -1], dtype=int32)
 """
 
+from typing import TYPE_CHECKING, Any
+
 from ._library import Error, names, version
 from .cage import Block, BoundPoints, Cage, Coordinates, Deformer, Places, read
 from .potentials import Formula, evaluate, formula, potentials
+
+if TYPE_CHECKING:
+    from .judging import judge
+
+
+def __getattr__(name: str) -> Any:
+    """What few programs need, and takes long to import: `judge`."""
+    if name == "judge":
+        from .judging import judge
+
+        return judge
+    raise AttributeError(f"module 'cageproof' has no attribute '{name}'")
+
 
 __version__ = version()
 __all__ = [
@@ -26,6 +41,7 @@ __all__ = [
     "Places",
     "evaluate",
     "formula",
+    "judge",
     "names",
     "potentials",
     "read",
