@@ -72,7 +72,7 @@ class PanelHats {
   const Panels& panels_;
 };
 
-/// The moments of FarForm on panels, in double or with a bound of their error.
+/// HatMoments over panels, in double or with a bound of their error.
 template <class R, int N, int M>
 using PanelForm = HatMoments<R, N, M, PanelHats<R>>;
 
