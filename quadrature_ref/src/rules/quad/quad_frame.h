@@ -60,9 +60,9 @@ std::optional<QuadFrame<R>> quad_frame(std::span<const Vec3<R>> corners, const V
       vanishes(q.edges[3].cross(q.twist)))
     return std::nullopt;
   if constexpr (std::same_as<R, Mp200>) {
-    const auto heights = exact_heights(corners, point, q.exponent);
-    if (!heights) return std::nullopt;
-    q.heights = *heights;
+    const auto volumes = exact_volumes(corners, point, q.exponent);
+    if (!volumes) return std::nullopt;
+    q.heights = *volumes;
   }
   return q;
 }

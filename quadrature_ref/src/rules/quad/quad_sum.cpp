@@ -26,7 +26,7 @@ QuadSum::QuadSum(const Integrand& integrand, const QuadFrame<Mp200>& q, const Cl
   mass.fill(kNoMass);
   for (const auto& of_cell : cuts_[0].mass)
     for (int o = 0; o <= order_; ++o) mass[o] = std::max(mass[o], of_cell[o]);
-  find_norm(mass, [&](const auto& error) { return with_error(cuts_[0], error); });
+  find_log10_norms(mass, [&](const auto& error) { return with_error(cuts_[0], error); });
   // Rather than half of it.
   std::vector<Rule> rules;
   if (plan(cuts_[0], error_of(digits), rules) + plan(cuts_[1], error_of(digits), rules) > budget_) throw TooCostly{};

@@ -41,7 +41,7 @@ class AdaptiveSum {
  private:
   static W longest_edge(const PolarFrame<W>& frame) {
     W longest = 0;
-    for (const PolarEdge<W>& edge : frame.edges) longest = std::max<W>(longest, 2 * edge.a / edge.reach);
+    for (const PolarEdge<W>& edge : frame.edges) longest = std::max<W>(longest, 2 * edge.a / edge.relative_height);
     return longest;
   }
   void reset(Result<W>& sums) const { integrand_.reset(sums, order_); }
