@@ -330,7 +330,8 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
     };
   }
 
-  // The same of those that are finite in R, and others computed in Wide. \param sizes of the terms in `tables`
+  // The parts that are finite in R as parts_in_range() gives them, and the others computed in Wide. \param sizes of the
+  // terms in `tables`
   template <Scalar R>
   auto parts_beyond_range(const Vec3<R>& point, int order, int exponent, std::vector<CoordinateTable<Wide>>& tables,
                           TermSizes& sizes) const {
@@ -488,7 +489,7 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
       for (int o = 0; o <= order; ++o) std::ranges::fill(row_of(table, p, o), R(0));
   }
 
-  // From the unit 2^-exponent.
+  // Converts the rows of point p from the unit 2^-exponent to the cage's own.
   template <Scalar R>
   void to_own_unit(std::size_t p, int order, std::span<CoordinateTable<R>> tables, int exponent) const {
     using std::ldexp;
@@ -683,10 +684,11 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
     return corners;
   }
 
-  // Cages whose largest coordinate has an exponent of at most that size are summed in their own unit.
+  // Cages whose largest coordinate has an exponent of at most this magnitude are summed in their own unit.
   template <Scalar R>
   static constexpr int kComfortable = std::same_as<R, float> ? 40 : 300;
-  // That exponent, where weights would overflow: at the least distance, second derivatives do not then.
+  // The exponent of the size to which cages are scaled where weights would overflow: second derivatives at the least
+  // distance then do not.
   template <Scalar R>
   static constexpr int kSmallUnit = std::same_as<R, float> ? 100 : 800;
 

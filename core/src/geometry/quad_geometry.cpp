@@ -239,7 +239,8 @@ std::optional<BilinearPoint> on_quad(const Quad<Mp200>& q, const Vec3<Mp200>& po
 
 namespace {
 
-// From the kernel of Eq 17: within the tetrahedron, and on the side of the quad that 13 is on.
+// The answer from the kernel k of Eq 17, which tells whether the point is within the tetrahedron, and on which side of
+// the quad.
 template <class R>
 SeenTriangles seen_by(const std::array<R, 4>& k) {
   if (std::ranges::any_of(k, [](const R& x) { return x == R(0); })) return SeenTriangles::Coplanar;

@@ -50,7 +50,7 @@ class CageElements {
   Vec3<double> normal_of(std::size_t coordinate, Owner owner) const;
   /// xi_u x xi_v at a quad's corners: the area element there, whose unit vector normal_of() is. One for flat elements.
   double area_element_of(std::size_t coordinate, Owner owner) const { return area_element_in(0, coordinate, owner); }
-  /// The same in the unit of length 2^-exponent.
+  /// area_element_of() in the unit of length 2^-exponent.
   double area_element_in(int exponent, std::size_t coordinate, Owner owner) const;
   /// The outward unit normal where a point touches; of a bilinear quad, there.
   Vec3<double> normal_at(const Touching& touch) const;

@@ -154,11 +154,11 @@ class CageCoordinates {
     return prepared_->systems() != nullptr ? prepared_->systems()->solved() : std::vector<SolvedSystem>();
   }
 
-  /// Coordinates of several points: one table per block of coordinates, as PreparedCoordinates::fill.
+  /// Coordinates of several points, one table per block of coordinates, as PreparedCoordinates::fill.
   template <Scalar R>
   std::vector<CoordinateTable<R>> at(std::span<const Vec3<R>> points, int order) const;
 
-  /// The same in double, into tables of an earlier call, whose memory is kept where it is large enough.
+  /// Coordinates in double, into the tables of an earlier call, whose memory is kept where it is large enough.
   void at(std::span<const Vec3<double>> points, int order, std::vector<CoordinateTable<double>>& tables) const;
 
   /// Limits from inside at points within elements (HasLimits). R: double or Mp50
@@ -176,11 +176,11 @@ class CageCoordinates {
   /// \throws InputError where blocks have different numbers of rows
   AppliedTable apply(std::span<const Vec3<double>> points, int order, const CageData& data) const;
 
-  /// The same to a stated error (AppliesData::sum_to); null for coordinates that have nothing but sums element by
-  /// element.
+  /// The functions of apply(), to a stated error (AppliesData::sum_to); null for coordinates that can only be summed
+  /// element by element.
   std::unique_ptr<const StatedSum> sum_to(double error, const CageData& data, std::size_t points) const;
 
-  /// Coordinates of one point: one result per block.
+  /// Coordinates of one point, one result per block.
   template <Scalar R>
   std::vector<Result<R>> at(const Vec3<R>& point, int order) const;
 

@@ -126,12 +126,12 @@ class StatedSum {
 /// Sums of coordinates times data, without keeping coordinates.
 class AppliesData {
  public:
-  /// Adds them to a table that the caller sized and set to zero.
+  /// Adds the functions of CageCoordinates::apply to a table that the caller sized and set to zero.
   virtual void apply(std::span<const Vec3<double>> points, int order, const CageData& data,
                      AppliedTable& table) const = 0;
-  /// The same, of values, with elements that are far away summed together. Null where that is not known, and for other
-  /// than three sets. \param error in the data's unit of length, which no point's exceeds \param points how many will
-  /// be asked: where they or the elements are few, element by element is quicker, and done
+  /// The values of these functions, with far elements summed together. Null where the kind cannot do so, and unless the
+  /// data have three sets. \param error in the data's unit of length, which no point's exceeds \param points how many
+  /// will be asked: where they or the elements are few, element by element is quicker, and done
   virtual std::unique_ptr<const StatedSum> sum_to(double /*error*/, const CageData& /*data*/,
                                                   std::size_t /*points*/) const {
     return nullptr;
@@ -209,7 +209,7 @@ class CoordinatesFromDouble : public PreparedCoordinates {
   const Derived& own() const { return static_cast<const Derived&>(*this); }
 };
 
-/// The same with float, which the derived class computes in float.
+/// CoordinatesFromDouble whose derived class computes float in float.
 template <class Derived>
 class CoordinatesIn : public CoordinatesFromDouble<Derived> {
  public:

@@ -32,7 +32,7 @@ class BoxTree {
 /// A box around each element, of its corners.
 std::vector<Box> boxes_of(const std::vector<std::vector<Vec3<double>>>& elements);
 
-/// From a point to a box: nothing within it.
+/// The distance of a point from a box; 0 within it.
 double distance_to(const Box& box, const Vec3<double>& point);
 
 }  // namespace cageproof

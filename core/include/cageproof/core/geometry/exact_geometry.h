@@ -40,7 +40,7 @@ struct ExactHeights {
 /// These products for any finite doubles; quick within 112 bits. \param exponent lengths are in units of 2^exponent
 ExactHeights exact_heights(const Triangle<double>& t, const Vec3<double>& point, int exponent);
 
-/// The same of a segment in the plane; third coordinates are not looked at.
+/// Products of a segment's geometry in the plane, exact as ExactTriangleIn's; third coordinates are ignored.
 /// \tparam W Mp200, Mp400 or Mp2000
 template <class W>
 struct ExactSegmentIn {
