@@ -103,7 +103,7 @@ inline Pair series_of_odd(const Pair& s, double sign) {
   return sum;
 }
 
-/// As of Lanes.
+/// log(num/den), with length and sum as for Lanes (lanes.h).
 inline Pair log_of_quotient(const Pair& num, const Pair& den, const Pair& length, const Pair& sum) {
   constexpr std::uint64_t one = 1023;
   const Bits bits = (Bits)num.high - (Bits)den.high + ((one << 52) + (UINT64_C(1) << 51));

@@ -20,7 +20,7 @@ R integral_of_logarithm(const Frame<R>& f) {
   const std::array<R, 2>&s = f.s, &log_r = f.log_r;
   R ends;
   if (f.is_far()) {
-    // Both terms are much larger than their difference.
+    // The two ends' terms are much larger than their difference, so the difference is written out.
     ends = (f.length * (log_r[0] + log_r[1]) + f.sum * f.log_ratio) / 2;
   } else {
     const R at_near = f.at_end ? R(0) : R(s[f.near_end] * log_r[f.near_end]),
@@ -52,8 +52,8 @@ struct SquareLogarithm {
   R along{}, across{};  ///< int x (2 ln r - 1) along the segment and its normal
 };
 
-/// From the ends: int r^2 (ln r - 1) = [(s^3/3 + h^2 s)(ln r - 1) - s^3/9 - 2 h^2 s/3] + 2 h^3 alpha/3,
-/// int x (2 ln r - 1) = [r^2 (ln r - 1)] u - h (2 int ln r - length) n.
+/// The integrals from terms at the ends: int r^2 (ln r - 1) = [(s^3/3 + h^2 s)(ln r - 1) - s^3/9 - 2 h^2 s/3] + 2 h^3
+/// alpha/3, int x (2 ln r - 1) = [r^2 (ln r - 1)] u - h (2 int ln r - length) n.
 template <Scalar R>
 SquareLogarithm<R> square_logarithm(const Frame<R>& f) {
   // [factor (ln r - 1)] between the ends; a factor that vanishes at an end takes its logarithm with it.

@@ -82,7 +82,7 @@ Jet<R, F::components> closed_form(const Triangle<R>& t, const Vec3<R>& eta, std:
   }
 }
 
-/// The same in double, every order to kAccurateTolerance relative to its norm, also where the problem itself is
+/// The closed form in double, every order to kAccurateTolerance relative to its norm, also where the problem itself is
 /// ill-posed, with the bound of the error.
 template <class F, int O>
 BoundedJet<double, F::components> accurate(const Triangle<double>& t, const Vec3<double>& eta,
