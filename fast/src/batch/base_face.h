@@ -23,7 +23,7 @@ struct SpaceJet {
   Lanes value{}, gradient[3] = {}, hessian[6] = {};
 };
 
-/// Which entries of a vector each entry of a Hessian belongs to.
+/// The two axes of each entry of a Hessian.
 inline constexpr int kHessianFirst[6] = {0, 0, 0, 1, 1, 2}, kHessianSecond[6] = {0, 1, 2, 1, 2, 2};
 
 template <int O>

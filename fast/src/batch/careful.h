@@ -9,11 +9,11 @@
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
-/// As kNextToEdge and kNextToFace, for double-doubles, by the derivatives that are asked for: heights that are powers
+/// kNextToEdge and kNextToFace for double-doubles, by the highest derivative that is asked for: heights that are powers
 /// of 1e-31 of the face enter Hessians squared.
 inline constexpr double kBeyondEdge[3] = {0x1p-40, 0x1p-36, 0x1p-20};
 inline constexpr double kBeyondFace = 0x1p-70;
-/// The same limit for distances from corners.
+/// kBeyondFace for distances from corners.
 inline constexpr double kLeast = 0x1p-160;
 
 template <Layers L, int O>

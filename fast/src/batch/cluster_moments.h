@@ -28,7 +28,7 @@ class ClusterMoments {
   /// The highest degree that is taken where vertices are mapped to no farther than that many errors from their middle.
   static int degree_for(double errors);
 
-  /// What `error` allows for a solid angle of 4 pi is one over this.
+  /// One over the share of `error` that is allowed for a solid angle of 4 pi.
   static constexpr double kShares = 8;
   /// The highest first.
   const std::array<int, kDegrees>& degrees() const { return degrees_; }
@@ -36,7 +36,7 @@ class ClusterMoments {
   int least() const { return least_; }
   /// Squares of the distances from the cluster's centre from which on each degree is enough; infinite where none is.
   const std::array<double, kDegrees>& from(int cluster) const { return from_[cluster]; }
-  /// As FarCluster has them, up to the highest degree. \pre that is enough somewhere
+  /// The moments as FarCluster takes them, up to the highest degree. \pre that degree is enough somewhere
   const double* moments(int cluster) const { return moments_[cluster].data(); }
 
  private:

@@ -9,7 +9,7 @@
 
 namespace cageproof::closed_form::batch {
 
-/// Which integrals over edges the layers take for derivatives up to order O.
+/// The integrals over edges that the layers need for derivatives up to order O.
 template <Layers L, int O>
 struct Takes {
   static constexpr bool distances = L != Layers::Harmonic;

@@ -25,7 +25,7 @@ constexpr bool takes_hats(int rank, int power) {
   const bool biharmonic = (power == 1 + 2 * rank && rank <= O) || (O == 2 && power == 3 && rank == 0);
   return harmonic || (L == Layers::Biharmonic && biharmonic);
 }
-/// The same of int p^rank/r^power.
+/// Whether the layers take sums of int p^rank/r^power.
 template <Layers L, int O>
 constexpr bool takes_sums(int rank, int power) {
   if (L == Layers::Kelvin)
@@ -102,7 +102,7 @@ struct FarCorner {
   }
 };
 
-/// Integrals of p^Rank over a power of r: three sets are weighted with one hat function each, a single set with one.
+/// Integrals of p^Rank over a power of r. Three sets are weighted with one hat function each, a single set with 1.
 template <bool Taken, int Rank, int Sets>
 struct Summed {
   Symmetric<Lanes, Rank> of[Sets];

@@ -39,7 +39,7 @@ inline constexpr int kRulesFirst = L == Layers::Kelvin&& O >= 1 ? 5 : 2;
 /// such faces are as many and as random as the faces. At least a third of their limit is the slope of the coordinates,
 /// which is at least twice these over the distance.
 inline constexpr double kOfShort = 0.15;
-/// The same of derivatives of Kelvin's layers, whatever the distance.
+/// That share for derivatives of Kelvin's layers, at every distance.
 inline constexpr double kOfShortKelvin = 0.015;
 
 inline unsigned bits_of(Mask m) {

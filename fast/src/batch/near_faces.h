@@ -25,7 +25,7 @@ inline unsigned long long bytes_of(Small m) {
 }
 inline Mask widened(Small m) { return __builtin_convertvector(m, Mask); }
 
-/// Which faces are near, for each point of a block by itself: what is computed of a point does not depend on others.
+/// The faces that are near, for each point of a block separately: a point's result does not depend on the others.
 struct NearFaces {
   int* faces;                    ///< those that are near to a point
   int count;                     ///< how many they are

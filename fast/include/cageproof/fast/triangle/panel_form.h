@@ -44,7 +44,7 @@ class PanelHats {
           else hats[k].c[m] = sums.sums[k][m];
     return hats;
   }
-  // The same sums in numbers that track their errors, which have no vectors.
+  // The sums point by point, for numbers that track their errors and have no vector form.
   template <int p, int D>
   std::array<Taylor<R, D>, 3> one_by_one(const Frame<R>& frame) const {
     std::array<Taylor<R, D>, 3> hats;
