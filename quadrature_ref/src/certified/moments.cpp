@@ -87,7 +87,7 @@ class Integrator {
 
  private:
   int stride() const { return range_.highest_degree() + 1; }
-  // That many evaluations of the integrand in so many words.
+  // Counts the work of evaluations of the integrand in numbers of `words` words.
   void spend(double evaluations, double words) {
     work_left_ -= evaluations * static_cast<double>(scale_.size()) * (1 + words * std::sqrt(words) / 8);
   }

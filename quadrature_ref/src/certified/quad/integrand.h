@@ -8,7 +8,7 @@
 
 namespace cageproof::quadrature_ref::certified {
 
-/// Bounds for a line's integrals: how far the line's points are from the point, over a whole disc of complex v.
+/// The bounds for a line's integrals: how far the line's points are from the point, over a whole disc of complex v.
 struct LineBounds {
   Real nearest;   ///< lower bound of |x| on the line in the disc's middle
   Real farthest;  ///< upper bound there

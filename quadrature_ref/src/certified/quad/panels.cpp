@@ -13,7 +13,7 @@ constexpr int deepest = 450;          // bisections
 constexpr double least_reach = 1.25;  // semi-major axis over half: rho is two
 constexpr double planning_cost = 60;  // of a stretch
 
-// As an exact ball; zero where there is none above.
+// A lower bound of a as an exact ball; zero unless it is positive.
 Real lower_bound(const Real& a) {
   Real c;
   arb_get_lbound_arf(arb_midref(c.raw()), a.raw(), MAG_BITS);
