@@ -168,7 +168,7 @@ class SvgReader {
     check_children(node);
     (this->*read_shape)(node, transform_of(node, outer));
   }
-  // Descriptions, but no animations.
+  // A shape may contain descriptions, but no animations.
   void check_children(xmlNode& shape) {
     for (xmlNode* node = shape.children; node; node = node->next)
       if (node->type == XML_ELEMENT_NODE && is_svg(*node) && !is_one_of(text_of(node->name), kSilent))

@@ -124,7 +124,8 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
     put_limits<Mp50>(places, order, tables);
   }
 
-  // One a corner of each element. What is not finite, as derivatives at points on the cage, is no term.
+  // There is one term per corner of each element. Numbers that are not finite, such as derivatives at points on the
+  // cage, are left out.
   void fill_terms(std::span<const Vec3<double>> points, int order,
                   std::span<CoordinateTable<double>> tables) const override {
     std::array<Vec3<double>, 4> storage;

@@ -66,7 +66,7 @@ class CornerNormals {
   bool filtered_ = false;
 };
 
-// Where from + t (to - from) is the point, t in [0, 1]; nothing off the segment.
+// The t in [0, 1] for which from + t (to - from) is the point; nothing off the segment.
 std::optional<double> on_segment(const Exact3& from, const Exact3& to, const Exact3& point) {
   const Exact3 along = exact::minus(to, from), to_point = exact::minus(point, from);
   const Exact3 off = exact::cross(along, to_point);

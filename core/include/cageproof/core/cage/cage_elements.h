@@ -63,7 +63,7 @@ class CageElements {
   std::vector<Face> elements_;
   std::vector<Vec3<double>> normals_;
   std::vector<int> first_corner_;             // of each element, and how many there are
-  std::vector<int> first_normal_;             // likewise
+  std::vector<int> first_normal_;             // of each element, and how many there are
   std::vector<int> numbers_;                  // 0, 1, 2 ..., as many as corners
   std::vector<Vec3<double>> corner_normals_;  // unit, by Owner::Normal
   std::vector<double> area_elements_;         // likewise, in units of 4^area_exponents_

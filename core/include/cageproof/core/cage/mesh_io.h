@@ -47,8 +47,8 @@ struct RegisterMeshReader {
 ///   missing, a directory, empty, unreadable, a Git LFS pointer, unknown extension, no vertices, text where a number
 ///   belongs, truncated line or file, non-finite number, fewer than three coordinates (two, in an OBJ file of polylines
 ///   alone), a weight of zero, index out of range; triangle strips (PLY, VTP); binary OFF; a PLY face of more than 255
-///   corners; what of SVG is neither polygon nor without a shape: curves, arcs, text, `use`, an unknown element or
-///   transform; what is no GeoJSON geometry, an open ring
+///   corners; SVG's curves, arcs, text, `use`, unknown elements and transforms; JSON that is no GeoJSON geometry, an
+///   open ring
 Mesh read_mesh(const std::filesystem::path& path);
 
 /// A mesh as cages are made of: faces of more than four corners are cut in triangles, a mesh whose vertices all have

@@ -21,8 +21,8 @@ struct SummedBlock {
   double (*normal_factor)(std::span<const double> parameters, int dimension) = nullptr;
   /// For kernels with one tensor per corner: whether corners keep theirs; otherwise they are added to the vertices'.
   bool one_a_corner = false;
-  /// Whether there is one a normal (Owner::Normal): of quads one a corner, integrated over du dv, times the area
-  /// element |N_k| there, so that unit normals are what all coordinates multiply; of triangles one.
+  /// Whether there is one per normal (Owner::Normal). Quads have one per corner, integrated over du dv times the area
+  /// element |N_k| there, so that all coordinates multiply unit normals. Triangles have one.
   bool one_a_normal = false;
 };
 
@@ -71,10 +71,10 @@ struct CoordinateKind {
   /// Whether preparing solves for densities on samples of all elements, which takes the square of the number of
   /// elements times that of samples: runs ask such kinds of small cages.
   bool solves_on_samples = false;
-  /// Whether points outside are those without coordinates, and no others.
+  /// Whether the points without coordinates are exactly those outside.
   bool inside_alone = false;
-  /// Whether functions of these coordinates continue through a flat element as what they are inside plus the affine map
-  /// of it (Lipman et al. 2008, of Green coordinates): their blocks are of vertices and of elements' normals.
+  /// Whether functions of these coordinates continue through a flat element, as their inside values plus the element's
+  /// affine map (Lipman et al. 2008, for Green coordinates). Blocks are then of vertices and of elements' normals.
   bool extends = false;
   /// Why the kind has no coordinates in a cage of its dimension, with its parameters' defaults; empty where it has.
   /// Null for kinds that refuse none. What other parameters make too large, `prepare` refuses.
