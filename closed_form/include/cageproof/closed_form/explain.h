@@ -19,8 +19,8 @@ struct Explanation {
   bool is_the_value = true;
   std::size_t entry = 0;
   double value = 0;            ///< the closed form's
-  double counted = 0;          ///< what the operations gave
-  Mp200 exact;                 ///< what they would have given without roundings, along the same branches
+  double counted = 0;          ///< the result of the operations
+  Mp200 exact;                 ///< their result without roundings, along the same branches
   std::size_t operations = 0;  ///< all that were recorded, also those that the entry does not depend on
   /// In the entry's unit; see CountedLine. Empty where there was nothing to count.
   std::vector<CountedLine> lines;

@@ -101,7 +101,7 @@ BoundedJet<Mp200, F::components, 2> bounded_form(WideFrames& at, std::span<const
 }
 
 /// The closed form of a single formula at a single point. Units and limits: at the formula.
-/// \param s ends, the outward normal to the right of s0 -> s1; third coordinates are not looked at \param eta the point
+/// \param s ends, the outward normal to the right of s0 -> s1; third coordinates are ignored \param eta the point
 /// \param parameters the formula's, in the catalogue's order
 /// \return value and derivatives up to order O, in double to kTolerance, in multiprecision to all digits; float's are
 /// double's, rounded; NaN or infinite without a limit

@@ -49,7 +49,7 @@ struct Frame {
 
   Eigen::Matrix<R, 2, 1> u;  ///< unit direction from end 0 to end 1
   Eigen::Matrix<R, 2, 1> n;  ///< outward unit normal, to the right of u
-  std::array<int, 2> way;    ///< the signs of u, exactly: what is infinite along the segment is so where u underflows
+  std::array<int, 2> way;    ///< the signs of u, exactly: infinities along the segment need them where u underflows
   R length;
   R h;                 ///< signed distance of the point from the line, positive outside
   std::array<R, 2> s;  ///< arc length of the ends from the nearest point of the line, s[1] - s[0] = length

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Integrals of the distance's logarithm along a segment, in units of the frame: with the unit's own logarithm,
-// unit_logarithm(), times what stands before the logarithm, they are those of the caller.
+// Integrals of the distance's logarithm along a segment, in units of the frame. The caller's need unit_logarithm()
+// times the logarithm's factor in addition.
 #pragma once
 
 #include "cageproof/closed_form/segment/engine/frame.h"
@@ -33,7 +33,7 @@ R integral_of_logarithm(const Frame<R>& f) {
 /// int Gamma_k ln r. With lambda = ln(r1/r0) and alpha the angle under which the segment is seen:
 ///   int Gamma_0 ln r = length ln(r1)/2 + ((s0 (s1 + length) - h^2) lambda/2 + s1 h alpha)/length - (2 s1 + length)/4,
 ///   int Gamma_1 ln r = length ln(r1)/2 + ((h^2 - s0^2) lambda/2 - s0 h alpha)/length + (2 s0 - length)/4,
-/// or their mirror images, so that of the nearer end's logarithm no more is left than what is small there.
+/// or their mirror images, so that the nearer end's logarithm has only small factors.
 template <Scalar R>
 std::array<R, 2> hat_logarithms(const Frame<R>& f) {
   const R &s0 = f.s[0], &s1 = f.s[1], &length = f.length, square = f.h * f.h;

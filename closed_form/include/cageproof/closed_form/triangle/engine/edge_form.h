@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The edge form: solid angle, int 1/r and int r over a triangle, plain and weighted with hat functions, as Taylor
-// polynomials.
+// The edge form, a triangle's moments as sums over its three edges: solid angle, int 1/r and int r, plain and weighted
+// with hat functions, as Taylor polynomials.
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/constants.h"
