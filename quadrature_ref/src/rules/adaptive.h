@@ -69,7 +69,7 @@ class AdaptiveTotal {
  public:
   AdaptiveTotal(const Integrand& integrand, int order) : integrand_(integrand), order_(order) {}
 
-  /// The parts' sum. Its `nodes` counts what was spent on the way as well.
+  /// The parts' sum. Its `nodes` also counts those of parts that were divided since.
   const Result<W>& sums() const { return total_; }
   /// Bound of the relative error, norm-wise, the worst order's.
   const W& bound() const { return bound_; }
@@ -202,8 +202,8 @@ AdaptiveOutcome integrate_off_or_inside(const Contact& inside, int order, double
 inline double digits_beyond_tolerance(double tolerance) { return std::max(12., 2 - std::log10(tolerance)); }
 
 /// Sets a result and its statement. Rounding the result to R is part of the error.
-/// \param multiprecision sets the result by the multiprecision evaluation, which is asked where entries within R's
-/// range stand beside such as leave it, and the sums' digits do not tell them
+/// \param multiprecision sets the result by the multiprecision evaluation; called where some entries leave R's range
+/// and the sums have too few digits for those within
 template <Scalar R, Scalar W, class Multiprecision>
 void set_outcome(const Integrand& integrand, int exponent, const Result<W>& sums, int order, double tolerance,
                  AdaptiveOutcome outcome, Multiprecision multiprecision, Result<R>& result) {

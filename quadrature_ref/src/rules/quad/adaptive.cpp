@@ -109,7 +109,7 @@ void AdaptiveQuad::update() {
 
 bool AdaptiveQuad::refine(const std::vector<PlannedCell>& cells, double tolerance) {
   for (const PlannedCell& cell : cells) {
-    // A plan of so many cells would not end in time; what is left out leaves no bound.
+    // A plan of so many cells would not end in time; without the cells left out there is no bound.
     if (nodes_ > kAdaptiveNodeLimit * 3 / 4) return update(), bound_ = std::numeric_limits<double>::infinity(), false;
     integrate(parts_.emplace_back(Part{cell}));
   }
