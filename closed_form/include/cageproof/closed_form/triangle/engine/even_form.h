@@ -48,9 +48,8 @@ struct EvenIntegrals {
   }
 
  private:
-  // Next to the line beyond the ends the quotients cancel, K6 by the fourth power of the distance. There the integrals
-  // are series in powers of -D2/s^2: integrals of s^-2m times binomial coefficients. In narrower types there is no
-  // series, and the running error asks for more digits.
+  // Next to the line beyond the ends the quotients cancel, K6 by the fourth power of the distance. Series in powers of
+  // -D2/s^2 replace them in multiprecision; in narrower types the running error asks for more digits.
   void set_beyond(const FrameEdge<R>& e) {
     using std::abs;
     const bool first = abs(e.s0) < abs(e.s1);
