@@ -99,10 +99,10 @@ inline Mask lower(Lanes& limit, const SquaresBelow& below, Lanes squares, Lanes 
   return lowered;
 }
 
-/// Lowers the limits of points whose roundings are too large for what they are held to: the coordinates' norm, and that
-/// of the next derivatives times the cage's size. Derivatives that are not at hand are estimated. The Laplacian of
-/// phibar is phi, by which its Hessian is at least phi/sqrt(3) and its third derivatives phi's gradient over sqrt(3);
-/// its gradient is about the geometric mean of phibar and phi, in thin limbs as well.
+/// Lowers the limits of points whose roundings are too large against the coordinates' norm, and that of the next
+/// derivatives times the cage's size. Derivatives that are not computed are estimated. The Laplacian of phibar is phi,
+/// by which its Hessian is at least phi/sqrt(3) and its third derivatives phi's gradient over sqrt(3); its gradient is
+/// about the geometric mean of phibar and phi, in thin limbs as well.
 template <Layers L, int O>
 Mask lower_limits(const Block& block, MeasuredBlock& measured) {
   const Lanes faces = select(measured.faces > 1, measured.faces, splat(1));

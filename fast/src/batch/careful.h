@@ -33,7 +33,7 @@ void sum_marked_faces(Block& block, Pair* columns) {
     const Pair omega = Pair(2.0) * angle_of(seen.across, seen.along);
     const Lanes high = magnitude(seen.across.high), wide = magnitude(seen.along.high);
     const Lanes edge_limit = kBeyondEdge[O] * seen.product.high;
-    // Quotients of nothing are beyond as well, and distances whose powers leave double's range.
+    // Quotients 0/0 are undecided as well, and distances whose powers leave double's range.
     const Mask decided = ((high > edge_limit) | (wide > edge_limit)) &
                          ((seen.along.high > Lanes{}) | (high > kBeyondFace * wide)) & (seen.r[0].high > kLeast) &
                          (seen.r[1].high > kLeast) & (seen.r[2].high > kLeast);
