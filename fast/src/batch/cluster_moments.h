@@ -32,7 +32,7 @@ class ClusterMoments {
   static constexpr double kShares = 8;
   /// The degrees, the highest first.
   const std::array<int, kDegrees>& degrees() const { return degrees_; }
-  /// Clusters of at most this many faces have no expansion: the clusters within them are taken, or their faces.
+  /// Near a cluster of at most this many faces these are summed one by one; larger clusters are taken by those within.
   int least() const { return least_; }
   /// Squares of the distances from the cluster's centre from which on each degree is enough; infinite where none is.
   const std::array<double, kDegrees>& from(int cluster) const { return from_[cluster]; }

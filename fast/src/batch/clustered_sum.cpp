@@ -119,7 +119,7 @@ class Descent {
 
  private:
   struct Level {
-    std::vector<int> rest;  // points for which the clusters within are taken
+    std::vector<int> rest;  // points too near for the cluster's expansion
     std::array<std::vector<int>, ClusterMoments::kDegrees> far;
   };
 
