@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rules of each kind of element, as data: what becomes an evaluation when a kernel is registered.
+// The rules of each kind of element, as data. They become evaluations when a kernel is registered.
 #pragma once
 
 #include "cageproof/core/catalogue/counted_name.h"

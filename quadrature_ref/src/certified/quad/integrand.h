@@ -37,7 +37,7 @@ class QuadIntegrand {
  private:
   struct Term {
     int x;       // place of its product of coordinates
-    int q, y;    // place of what it is integrated with
+    int q, y;    // place of the other factor of the integrand
     int degree;  // of the product of coordinates
     int factor, constant;
     QuadFactor with;

@@ -60,7 +60,7 @@ class Planner {
       : quad_(quad), integrand_(integrand), goal_(goal), work_left_(work_left) {
     const WorkingBits planning(planning_bits);
     for (int o = 0; o < integrand.orders(); ++o) scale_.push_back(-HUGE_VAL);
-    // W = across[1] - across[0] is what lines' directions change by.
+    // W = across[1] - across[0] is the change of the lines' directions.
     const Vector twist = minus(quad.across[1], quad.across[0]);
     twist_ = root_above(dot(twist, twist));
   }
