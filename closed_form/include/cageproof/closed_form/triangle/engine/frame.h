@@ -27,8 +27,8 @@ struct FrameEdge {
   R D2;         ///< squared distance of the line: h^2 + d^2
 };
 
-/// Geometry in units of `unit`: for frames seen in double a power of two near the largest distance, so that no power of
-/// a distance overflows; else 1.
+/// Geometry in units of `unit`. For frames seen in double that is a power of two near the largest distance, so that no
+/// power of a distance overflows; for others it is 1.
 template <class R>
 struct Frame {
   std::array<Vec3<R>, 3> p;  ///< corners minus point
