@@ -8,7 +8,7 @@
 
 namespace cageproof::closed_form {
 
-/// The algebra, kept to its promise. \param fill sets its functions in all scalars
+/// The family `closed_form`, with Role::ClosedForm. \param fill sets its functions in all scalars
 inline EvaluationFamily closed_form_family(std::string_view formula, std::string_view description,
                                            std::function<void(Evaluation&)> fill) {
   return single_family(formula, "closed_form",
@@ -16,7 +16,8 @@ inline EvaluationFamily closed_form_family(std::string_view formula, std::string
                        true, std::move(fill));
 }
 
-/// The same with a bound of its own error. \param fill sets its functions in the scalars that it has
+/// The family `accurate`, which states a bound of its own error. \param fill sets its functions in the scalars that it
+/// has
 inline EvaluationFamily accurate_family(std::string_view formula, std::function<void(Evaluation&)> fill) {
   return single_family(formula, "accurate",
                        {.description = "closed form that bounds its own error, in as many digits as that takes",
@@ -26,7 +27,7 @@ inline EvaluationFamily accurate_family(std::string_view formula, std::function<
                        true, std::move(fill));
 }
 
-/// \param fill sets its functions in float and double
+/// The family `plain`. \param fill sets its functions in float and double
 inline EvaluationFamily plain_family(std::string_view formula, std::function<void(Evaluation&)> fill) {
   return single_family(formula, "plain",
                        {.description = "the closed form in the scalar's own arithmetic, nothing wider",

@@ -81,7 +81,7 @@ class RegisterFormOn {
   using Shared = SharedOn<Engine>;
   static constexpr auto kMember = Member<Shared>::template of<PutForm<Engine, F>, float, double, Mp50, Mp100, Mp200>();
 
-  // Float's is double's, rounded.
+  // The evaluation `accurate`. In float it is double's, rounded.
   template <Scalar R>
   static void careful(const Batch<R>& batch, const BatchOutput<R>& output) {
     const typename Shared::template Element<R> element(batch.corners);

@@ -35,7 +35,7 @@ class InputFile {
 
 }  // namespace
 
-// libFuzzer's name for what it calls.
+// The function that libFuzzer calls, by this name.
 extern "C" int LLVMFuzzerTestOneInput(  // NOLINT(readability-identifier-naming)
     const std::uint8_t* data, std::size_t size) {
   static const InputFile file;

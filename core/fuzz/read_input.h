@@ -36,7 +36,7 @@ inline void expect_whole(const Mesh& mesh) {
 }
 
 /// Reads a file as points in space, as points in the plane, and as a cage.
-/// \throws std::logic_error for what is neither whole nor a clear error; whatever else readers throw but should not
+/// \throws std::logic_error if a result is neither whole nor a clear error; and what readers throw but should not
 inline void read_input(const std::filesystem::path& path) {
   for (const int dimension : {2, 3}) expect_clear_error([&] { expect_whole(read_points_and_faces(path, dimension)); });
   expect_clear_error([&] {

@@ -126,7 +126,7 @@ class GeoJsonReader {
   void each(const Place& object, const std::string& key, F&& f) {
     each_item(member(object, key), f);
   }
-  // Calls f for all arrays that are so deep within.
+  // Calls f for all arrays at this depth within `array`.
   template <class F>
   void nested(const Place& array, int depth, F&& f) {
     if (depth == 0) {

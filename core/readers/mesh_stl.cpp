@@ -35,7 +35,8 @@ class StlMesh {
   std::unordered_map<std::string, int> known_;
 };
 
-// Text of STL: keywords in any case, and numbers between white space. Line ends matter only for names after "solid".
+// The text form of STL has keywords in any case, and numbers between white space. Line ends matter only for names after
+// "solid".
 class StlText {
  public:
   StlText(std::string_view text, FileLine& at) : tokens_{text, at}, at_(at) {}

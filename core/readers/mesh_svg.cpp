@@ -24,12 +24,12 @@ namespace {
 
 constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";
 constexpr std::array<std::string_view, 2> kContainers{"g", "a"};
-// These draw nothing where they stand.
+// Elements that draw nothing where they stand.
 constexpr std::array<std::string_view, 15> kSilent{"defs",   "title",          "desc",           "metadata", "style",
                                                    "script", "symbol",         "clipPath",       "mask",     "marker",
                                                    "filter", "linearGradient", "radialGradient", "view",     "pattern"};
 
-// These draw, and are read as little as what may stand in them.
+// Elements that draw, but are not read, and neither are their children.
 constexpr std::array<std::string_view, 6> kOtherShapes{"circle", "ellipse", "line", "image", "text", "use"};
 
 // Properties of styles that would change what is read.
@@ -168,7 +168,7 @@ class SvgReader {
     check_children(node);
     (this->*read_shape)(node, transform_of(node, outer));
   }
-  // Descriptions, but no animations.
+  // A shape may contain descriptions, but no animations.
   void check_children(xmlNode& shape) {
     for (xmlNode* node = shape.children; node; node = node->next)
       if (node->type == XML_ELEMENT_NODE && is_svg(*node) && !is_one_of(text_of(node->name), kSilent))

@@ -26,7 +26,7 @@ std::string in_lower_case(std::string_view text) {
   return lower;
 }
 
-// Where one of these characters is next, outside of quotes and parentheses, or the end.
+// The next place of one of the characters `any` outside of quotes and parentheses, or the end.
 std::size_t find_outside(std::string_view text, std::string_view any, std::size_t from = 0) {
   char quote = 0;
   int depth = 0;
@@ -80,7 +80,7 @@ std::string without_comments(std::string_view text) {
 
 bool says_what_is_drawn(const Declaration& d) { return d.property == "display" || d.property == "visibility"; }
 
-// The declarations that say what is drawn, without those that a later one of the same weight replaces.
+// The declarations of `display` and `visibility`, without those that a later one of the same weight replaces.
 std::vector<Declaration> last_of_drawn(const std::vector<Declaration>& all) {
   std::vector<Declaration> last;
   for (const Declaration& d : all) {

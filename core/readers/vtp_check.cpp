@@ -73,7 +73,7 @@ class BlockCheck {
     std::from_chars(text.data(), text.data() + text.size(), offset);
     offsets_.push_back(offset);
   }
-  // Its bytes need be no XML.
+  // Checks the arrays in <AppendedData>. They are found in the file's bytes, because raw ones are not XML.
   void check_appended(bool is_raw) const {
     const std::size_t tag = file_.find("<AppendedData"), mark = file_.find('_', file_.find('>', tag));
     if (tag == file_.npos || mark == file_.npos) return;

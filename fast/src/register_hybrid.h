@@ -52,7 +52,7 @@ struct PutHybrid {
     const closed_form::ParametersIn<double> wide(parameters);
     if (const auto jet = Engine::template jet<F, O>(at.seen, wide.all(), finite_part)) {
       const auto narrow = closed_form::narrowed<R>(*jet);
-      // Beside entries that float cannot hold, others have no digits of double's norm.
+      // Where some entries overflow in float, the tolerance of double's norm says nothing of the others.
       if (std::same_as<R, double> || is_finite(narrow)) return closed_form::put(narrow, O, point, output);
     }
     Algebra<F>::put(at.element.given, at.given, O, parameters, finite_part, point, output);

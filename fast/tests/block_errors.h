@@ -67,8 +67,8 @@ inline double block_error_on(const CageCoordinates& found, const CageCoordinates
   return worst;
 }
 
-// What coordinates up to an order are compared with: the truth up to one order more, and, for the slope of Hessians, a
-// step beside the point.
+// The truth for coordinates up to an order: derivatives up to one order more, and, for the slope of Hessians, the truth
+// a step beside the point.
 template <class Number>
 struct BlockTruth {
   using Blocks = decltype(std::declval<const CageCoordinates&>().at<Number>(Vec3<Number>(), 0));

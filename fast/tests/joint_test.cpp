@@ -61,7 +61,7 @@ bool same_bits(const R& a, const R& b) {
   else return (std::isnan(a) && std::isnan(b)) || (a == b && std::signbit(a) == std::signbit(b));
 }
 
-// Results of a group for a block of points: per member and order, the tensors of one point after another.
+// The results of a group for a block of points. Each member and order has the tensors of one point after another.
 template <Scalar R>
 std::vector<std::array<std::vector<R>, 3>> together(const std::vector<Evaluation>& group, const Batch<R>& batch) {
   std::vector<std::array<std::vector<R>, 3>> found(group.size());

@@ -32,8 +32,6 @@ Mp100 sum(const std::vector<Mp100>& v) {
   return total;
 }
 
-// The eighth of a square of side 2 at distance 1 from the origin, or about it.
-// What triangles have: no enclosure of a bilinear quad's integrals exists yet.
 std::vector<Formula> triangle_formulas() {
   std::vector<Formula> rows;
   for (const Formula& formula : catalogue())
@@ -41,6 +39,7 @@ std::vector<Formula> triangle_formulas() {
   return rows;
 }
 
+// The eighth of a square of side 2 at distance 1 from the origin.
 const Triangle<double> kEighth{Vec3<double>(0, 0, 1), Vec3<double>(1, 0, 1), Vec3<double>(1, 1, 1)};
 const Vec3<double> kOrigin(0, 0, 0), kFoot(0, 0, 1);
 

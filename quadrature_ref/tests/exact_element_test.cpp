@@ -43,7 +43,7 @@ TEST(ExactElement, triangles_are_those_of_core) {
     EXPECT_EQ(found->edges, core.e);
     EXPECT_EQ(found->normal, core.normal);
     EXPECT_EQ(found->outward, core.outward);
-    EXPECT_EQ(found->height, core.volume);
+    EXPECT_EQ(found->volume, core.volume);
     EXPECT_EQ(found->inside, core.beside);
     EXPECT_EQ(found->start, core.before);
     EXPECT_EQ(found->end, core.after);
@@ -67,7 +67,7 @@ TEST(ExactElement, heights_of_quads_are_those_of_their_corners) {
   for_inputs([](Inputs input) {
     const std::array<Vec3<Mp200>, 4> q{input(), input(), input(), input()};
     const Vec3<Mp200> point = input();
-    const auto found = exact_heights(q, point, 0);
+    const auto found = exact_volumes(q, point, 0);
     ASSERT_TRUE(found);
     for (int k = 0; k < 4; ++k)
       EXPECT_EQ((*found)[k], ExactTriangleIn<Mp200>({q[k], q[(k + 1) % 4], q[(k + 3) % 4]}, point).volume);
@@ -79,7 +79,7 @@ TEST(ExactElement, says_where_a_point_is) {
   const std::array<Vec3<Mp200>, 3> t{Vec3<Mp200>(0, 0, 0), Vec3<Mp200>(1, 0, 0), Vec3<Mp200>(0, 1, 0)};
   const auto found = exact_triangle(t, Vec3<Mp200>(Mp200(0.25), Mp200(0.5), ldexp(Mp200(1), -3000)), 1);
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->height, -ldexp(Mp200(1), -3003));
+  EXPECT_EQ(found->volume, -ldexp(Mp200(1), -3003));
   EXPECT_EQ(found->inside[0], Mp200(0.5) / 16);
   EXPECT_EQ(found->inside[1], Mp200(0.25) / 16);
   EXPECT_EQ(found->start[0], Mp200(-0.25) / 4);

@@ -95,7 +95,7 @@ class Declining final : public ConvergingSum {
   Result<Mp200> at(double) override {
     std::array<double, 3> norms{};
     if (declined_) norms[*declined_] = std::numeric_limits<double>::infinity();
-    take_norm(norms);
+    take_log10_norms(norms);
     Result<Mp200> result = empty();
     for (int o = 0; o <= order_; ++o) std::ranges::fill(result.of(o), Mp200(3));
     return result;
@@ -136,7 +136,7 @@ class Sized final : public ConvergingSum {
   Sized(const Query<Mp200>& query, const std::array<double, 3>& log10_size)
       : ConvergingSum(solid_angle(), query), log10_size_(log10_size) {}
   Result<Mp200> at(double) override {
-    find_norm({0, 0, 0}, [&](const std::array<double, 3>& log10_error) {
+    find_log10_norms({0, 0, 0}, [&](const std::array<double, 3>& log10_error) {
       Result<Mp200> result = empty();
       for (int o = 0; o <= order_; ++o)
         if (log10_error[o] < log10_size_[o]) result.of(o)[0] = pow(Mp200(10), Mp200(log10_size_[o]));
@@ -154,7 +154,7 @@ TEST(ConvergingSum, finds_each_orders_norm_however_much_cancels) {
   for (const auto& sizes : {std::array{0., -30., -60.}, {-60., 0., -30.}, {-5., -80., 0.}, {-150., -1., -20.}}) {
     Sized sum(query, sizes);
     sum.at(30);
-    for (int o = 0; o <= 2; ++o) EXPECT_NEAR(sum.norm()[o], sizes[o], 1e-9) << o;
+    for (int o = 0; o <= 2; ++o) EXPECT_NEAR(sum.log10_norms()[o], sizes[o], 1e-9) << o;
   }
 }
 

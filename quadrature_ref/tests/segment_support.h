@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Helpers for segments of the plane: samples of every regime, and the single layer's truth from its antiderivative.
+// Samples of segments of the plane in every regime, and the single layer's truth from its antiderivative.
 #pragma once
 
 #include "support.h"

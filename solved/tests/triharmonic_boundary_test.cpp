@@ -81,7 +81,7 @@ TEST(triharmonic_boundary, converges_to_known_triharmonic_functions) {
   }
 }
 
-// What the third block is for: data of Laplacians that it does not see are missed.
+// Without the third block's data of Laplacians, the function is missed.
 TEST(triharmonic_boundary, needs_the_laplacians) {
   const CageCoordinates c = prepared(polygon(subdivided(unit_square, 16)), 1);
   const Triharmonic& f = known()[0];

@@ -8,7 +8,7 @@
 
 namespace cageproof::closed_form {
 
-// u of double: what relative errors are counted in.
+// u of double: the unit of relative errors.
 static constexpr double kUnit = 0x1p-53;
 
 /// Puts one operation on the thread's tape.
@@ -69,7 +69,7 @@ struct Recorder {
     site.operation = "constant";
     return leaf(tape, x.value, *x.shadow, site);
   }
-  // In units of 2^-53; zero of exact numbers, infinite of a zero that should be none.
+  // A number's relative error in units of 2^-53; zero for exact numbers, infinite for a zero that should be none.
   static double relative_error(const Operand& x) {
     if (x.shadow == nullptr || Mp200(x.value) == *x.shadow) return 0;
     return std::abs(static_cast<double>(Mp200(Mp200(x.value) - *x.shadow)) / x.value) / kUnit;
@@ -87,7 +87,7 @@ namespace {
 
 Mp200 exact(const Operand& x) { return x.shadow != nullptr ? *x.shadow : Mp200(x.value); }
 
-// f of one operand. \param slope its derivative
+// The result of a function of one operand. \param slope its derivative
 template <class F>
 Counted function(const char* name, const Operand& a, double value, double slope, const F& f) {
   return Recorder::record(

@@ -63,7 +63,7 @@ std::uint32_t CountedTape::site(const Site& s) {
 }
 
 std::vector<CountedLine> CountedTape::lines(const Counted& result, double scale) const {
-  // How the result answers to each number, from the last operation back to the first.
+  // The result's derivative by each number, from the last operation back to the first.
   std::vector<double> answer(result.node + 1, 0.);
   std::vector<bool> reached(result.node + 1, false);
   if (result.node != 0) {

@@ -10,7 +10,7 @@
 namespace cageproof::closed_form {
 namespace {
 
-// By formula and evaluation.
+// All explainers, by formula and evaluation.
 using Explainers = std::map<std::pair<std::string_view, std::string_view>, Explainer>;
 
 Explainers& explainers() {

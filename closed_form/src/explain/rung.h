@@ -25,7 +25,7 @@ inline std::string in_units(double bound) {
 }
 
 /// The rung, and why it is this one. \param form its name \param taken the result of the ladder \param bound of the
-/// error on the first rung, in double; one where nothing of it is certain
+/// error on the first rung, in double; 1 where no digit is certain
 template <int C, int D>
 std::string rung_name(const std::string& form, const BoundedJet<double, C, D>& taken, double bound) {
   const std::string name = form + " in " + arithmetic_name(taken.digits) + ", ";

@@ -28,12 +28,12 @@ Counted atanh_excess<Counted>(const Counted& z) {
 
 template <>
 template <>
-Frame<Counted>::Frame(const Frame<double>& wider)
-    : n(counted(wider.n)), d(wider.d), area2(wider.area2), unit(wider.unit), far_corner(wider.far_corner) {
+Frame<Counted>::Frame(const Frame<double>& other)
+    : n(counted(other.n)), d(other.d), area2(other.area2), unit(other.unit), far_corner(other.far_corner) {
   for (int i = 0; i < 3; ++i) {
-    const FrameEdge<double>& from = wider.edges[i];
-    p[i] = counted(wider.p[i]);
-    r[i] = wider.r[i];
+    const FrameEdge<double>& from = other.edges[i];
+    p[i] = counted(other.p[i]);
+    r[i] = other.r[i];
     edges[i] = {counted(from.u), counted(from.nu), from.length, from.h, from.s0, from.s1, from.r0, from.r1, from.D2};
   }
 }
@@ -60,7 +60,7 @@ Frame<Counted> counted_frame(const Frame<double>& frame, const Triangle<double>&
     see(e.s1, from.s1, "frame: edge.s1");
     see(e.D2, from.D2, "frame: edge.D2");
   }
-  // One number, seen twice.
+  // r is one number, which both edges use.
   for (int i = 0; i < 3; ++i) {
     f.edges[i].r0 = f.r[i];
     f.edges[i].r1 = f.r[(i + 1) % 3];

@@ -25,7 +25,7 @@ std::string face_label(const Candidate& cage, std::size_t face);
 
 /// \throws InputError "name: reason"
 [[noreturn]] void fail(const Candidate& cage, const std::string& reason);
-/// The same with the face, or the vertex, and how they are counted.
+/// fail(), with a reason that names the face, or the vertex, and says how they are counted.
 [[noreturn]] void fail_face(const Candidate& cage, std::size_t face, const std::string& reason);
 [[noreturn]] void fail_vertex(const Candidate& cage, std::size_t vertex, const std::string& reason);
 
@@ -33,13 +33,13 @@ std::string face_label(const Candidate& cage, std::size_t face);
 void check_coordinates(const Candidate& cage);
 /// Indices in range, none twice in a face, every vertex in a face.
 void check_indices(const Candidate& cage);
-/// No edge of length zero, no triangle of area zero in any split of a face, no quad that crosses itself; triangles
-/// alone where quads may be invalid.
+/// No edge of length zero, no triangle of area zero in any split of a face, no quad that crosses itself; only triangles
+/// are checked where quads may be invalid.
 void check_shapes(const Candidate& cage, bool allow_invalid_quads);
-/// As many faces run along every edge one way as the other: one, or several where parts of the surface meet; no face is
-/// there twice.
+/// Every edge is run along by as many faces one way as the other (one, or several where parts of the surface meet), and
+/// no face exists twice.
 void check_edges(const Candidate& cage);
-/// The sign of the volume that closed faces enclose: 1, -1, or 0 for none. In the plane polygon_checks.h says it.
+/// The sign of the volume that closed faces enclose: 1, -1, or 0 for none. In the plane, see polygon_checks.h.
 int orientation(const Candidate& cage, std::span<const int> faces);
 
 }  // namespace cageproof::cage_checks

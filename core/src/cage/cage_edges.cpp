@@ -31,12 +31,13 @@ namespace {
 // A face as it stands about an edge, which points at the viewer.
 struct Leaf {
   int face;
-  int way;           // 1: what the surface holds is on the clockwise side; -1: on the other
+  int way;           // 1: the surface's inside is on the clockwise side; -1: on the other
   Vec3<double> tip;  // of the half plane
   int sector = 0;    // 0: where the first one is; 1: less than half a turn on; 2: opposite to it; 3: more than half
 };
 
-// The faces around an edge, counter-clockwise; of those in one half plane, such that hold what is before them first.
+// The faces around an edge, counter-clockwise. In one half plane, faces with their inside on the clockwise side come
+// first.
 std::vector<Leaf> turned_around(std::span<const EdgeUse> edge, const std::vector<Vec3<double>>& vertices,
                                 const std::vector<Face>& faces) {
   const Vec3<double>&low = vertices[edge[0].low], &high = vertices[edge[0].high];

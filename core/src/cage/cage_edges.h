@@ -18,7 +18,7 @@ struct EdgeUse {
   int corner;  ///< of the face, where it sets out
 };
 
-/// All edges of all faces: uses of one edge beside each other, by face.
+/// All edges of all faces. Uses of one edge are consecutive, ordered by face.
 std::vector<EdgeUse> edge_uses(const std::vector<Face>& faces);
 
 /// Calls f(uses) for each edge, with the uses of it.

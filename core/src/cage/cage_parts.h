@@ -9,10 +9,10 @@ namespace cageproof::cage_checks {
 /// A closed surface (cage_edges.h), or in the plane a loop.
 struct Part {
   std::vector<int> faces;   ///< in rising order; the first one names the part
-  int orientation;          ///< +1: its normals point away from what it encloses; -1: into it
+  int orientation;          ///< +1: its normals point away from the inside; -1: into it
   std::vector<int> around;  ///< the parts that it lies within
 
-  /// Shells that lie within none or an even number of others bound what is inside from outside, the others cavities.
+  /// Parts that lie within an even number of others are shells, with normals outward; the others bound cavities.
   int expected() const { return around.size() % 2 == 0 ? 1 : -1; }
 };
 

@@ -7,7 +7,7 @@
 
 namespace cageproof::cage_checks {
 
-/// Which of some vertices are connected.
+/// Sets of connected vertices.
 class Connected {
  public:
   explicit Connected(std::size_t count) : towards_(count) { std::iota(towards_.begin(), towards_.end(), 0); }

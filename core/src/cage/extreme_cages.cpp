@@ -21,7 +21,7 @@ Surface prism(const std::vector<std::pair<double, double>>& outline) {
   return s;
 }
 
-// Both caps' faces, by corners of the outline.
+// Adds the faces of both caps. `faces` has corners of the outline.
 void add_caps(Surface& s, const std::vector<std::vector<int>>& faces) {
   const int n = s.count() / 2;
   for (const auto& f : faces) {

@@ -93,7 +93,7 @@ class TextReader {
   std::size_t used() const { return columns_.empty() ? 3 : columns_.size(); }
 
   void read_line(const Fields& fields, std::string_view line) {
-    // A column without a name, as of a table's index, names nothing.
+    // A column may have no name, as a table's index.
     const auto is_no_name = [](std::string_view field) { return !field.empty() && begins_as_number(field); };
     if (is_first_ && std::ranges::none_of(fields, is_no_name)) return read_names(fields);
     if (is_first_ && fields.size() == 1 && read_count(fields[0])) return;
@@ -119,7 +119,7 @@ class TextReader {
     const auto has = [&](const char* name) { return std::ranges::find(names_, name) != names_.end(); };
     if (!has("x") || !has("y") || (dimension_ == 3 && !has("z"))) columns_.clear();
   }
-  // Before the first point: other names are of no use, and a title's words are none.
+  // Checks the first line's names before the first point. A title's words are not names.
   void check_names(const Fields& fields, std::string_view line) {
     const std::size_t count = fields.size();
     const std::string wanted = dimension_ == 3 ? "x, y, z" : "x, y";
@@ -180,7 +180,7 @@ class TextReader {
   std::size_t count_line_ = 0, width_ = 0;
 };
 
-// The format of a mesh that a text without a suffix seems to be, and its suffix; nothing of points.
+// A mesh format that a text without a suffix may have, and its suffix; nothing if the text has points.
 struct MeshFormat {
   std::string_view first, name, suffix;
 };

@@ -21,7 +21,7 @@ void check_directions(const Candidate& cage);
 /// \pre check_directions, check_lengths and check_places passed
 void check_simple(const Candidate& cage);
 
-/// Which way one loop runs: 1 counter-clockwise, -1 clockwise. \pre check_directions and check_simple passed
+/// The direction of one loop: 1 counter-clockwise, -1 clockwise. \pre check_directions and check_simple passed
 int turning(const Candidate& cage, std::span<const int> loop);
 
 /// Reverses segments so that each loop runs as its first segment does. \pre check_loops passed

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Solid angles of many triangles at a point, with a bound of what is lost.
+// The sum of the solid angles of many triangles at a point, with a bound of its error.
 #pragma once
 
 #include "cageproof/core/geometry/element.h"
@@ -8,7 +8,7 @@
 
 namespace cageproof {
 
-/// A number, and what it is off at most.
+/// A number, and a bound of its error.
 struct BoundedSum {
   double value = 0, bound = 0;
 };

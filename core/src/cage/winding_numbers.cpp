@@ -36,8 +36,8 @@ Pair seen_as(const Quad<double>& q, const Vec3<double>& point) {
 
 int sign(double x) { return (x > 0) - (x < 0); }
 
-// How a, b and the point turn, seen from above: +1 to the left. The point counts as moved by e along the first axis and
-// by e^2 along the second, e less than any number.
+// The turn at b of the path a, b, point, seen from above: +1 to the left. The point counts as moved by e along the
+// first axis and by e^2 along the second, e less than any number.
 int turn(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& point) {
   if (const int right = side_of_line({a, b}, point); right != 0) return -right;
   return b[1] != a[1] ? -sign(b[1] - a[1]) : sign(b[0] - a[0]);
@@ -54,7 +54,7 @@ std::optional<int> crossing_above(const Triangle<double>& t, const Vec3<double>&
   return is_below || side == -turned ? turned : 0;
 }
 
-// As above, of a segment in the plane and a ray along the second axis.
+// The signed crossing of a segment in the plane by a ray along the second axis. Nothing for a point on the segment.
 std::optional<int> crossing_above(const Segment<double>& s, const Vec3<double>& point) {
   const int right = side_of_line(s, point);
   const Vec3<double> low = s[0].cwiseMin(s[1]), high = s[0].cwiseMax(s[1]);

@@ -68,7 +68,7 @@ CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, C
     try {
       prepared_ = kind.prepare(cage, options);
     } catch (const InputError& e) {
-      // It may be refused in the words of what it is made of.
+      // The evaluation may be refused in words that name the coordinates that this kind is made of.
       const std::string_view said = e.what();
       const bool of_evaluation = said.find(fmt::format("'{}'", options.evaluation)) != std::string_view::npos;
       if (options.evaluation.empty() || !of_evaluation || said.starts_with(kind.name)) throw;

@@ -9,7 +9,7 @@
 
 namespace cageproof {
 
-/// Which of n coordinates is more than half of the whole: the largest; n where none is.
+/// The index of the largest of n coordinates that are above 1/2; n where none is.
 template <Scalar R>
 std::size_t leading(const R* lambda, std::size_t n) {
   std::size_t lead = n;

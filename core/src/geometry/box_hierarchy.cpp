@@ -21,8 +21,8 @@ Box box_around(const std::vector<Box>& boxes, const int* first, const int* last)
   return all;
 }
 
-// Where to cut a range in two: across the axis along which middles are spread furthest, at a multiple of what a node
-// holds, so that nodes are full.
+// The place to cut a range in two: across the axis along which middles are spread furthest, at a multiple of `full`, so
+// that nodes are full.
 int* cut(const std::vector<Box>& boxes, int* first, int* last, std::ptrdiff_t full) {
   Vec3<double> low = Vec3<double>::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const int* i = first; i != last; ++i)

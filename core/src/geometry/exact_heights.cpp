@@ -31,7 +31,7 @@ FixedVector cross_of(const FixedVector& a, const FixedVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// x 2^exponent. What is left of the highest 63 bits is too little to count, so that this rounds as once.
+// x 2^exponent, from the highest 63 bits of x. The bits below are too small to count, so this rounds once.
 double rounded_times(const FixedInteger& x, int exponent) {
   if (x == 0) return 0;
   const FixedInteger size = abs(x);

@@ -49,7 +49,7 @@ NearestPlace nearest_on_triangle(std::span<const Vec3<double>> corners, const Ve
 
 std::array<double, 4> bilinear(double u, double v) { return {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v}; }
 
-// From the nearest of some places on, steps of Gauss and Newton that come nearer.
+// Starts at the nearest of a few places, and takes Gauss-Newton steps as long as they come nearer.
 NearestPlace nearest_on_quad(std::span<const Vec3<double>> corners, const Vec3<double>& point) {
   constexpr int starts = 4, most_steps = 30;
   NearestPlace best = nearest_on_border(corners, point);

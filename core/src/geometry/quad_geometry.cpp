@@ -66,7 +66,7 @@ class CornerNormals {
   bool filtered_ = false;
 };
 
-// Where from + t (to - from) is the point, t in [0, 1]; nothing off the segment.
+// The t in [0, 1] for which from + t (to - from) is the point; nothing off the segment.
 std::optional<double> on_segment(const Exact3& from, const Exact3& to, const Exact3& point) {
   const Exact3 along = exact::minus(to, from), to_point = exact::minus(point, from);
   const Exact3 off = exact::cross(along, to_point);
@@ -239,7 +239,8 @@ std::optional<BilinearPoint> on_quad(const Quad<Mp200>& q, const Vec3<Mp200>& po
 
 namespace {
 
-// From the kernel of Eq 17: within the tetrahedron, and on the side of the quad that 13 is on.
+// The answer from the kernel k of Eq 17, which tells whether the point is within the tetrahedron, and on which side of
+// the quad.
 template <class R>
 SeenTriangles seen_by(const std::array<R, 4>& k) {
   if (std::ranges::any_of(k, [](const R& x) { return x == R(0); })) return SeenTriangles::Coplanar;

@@ -20,8 +20,8 @@ struct LeastSquares<R>::Factors {
 
 namespace {
 
-// The power of two next to a matrix's largest number; one for zero. Squares of what is over it stay in range, and
-// nothing is rounded.
+// The power of two next to a matrix's largest number; one for zero. Squares of numbers over it stay in range, and
+// dividing by it rounds nothing.
 template <Scalar R>
 R unit_of(const Matrix<R>& matrix) {
   const auto largest = matrix.size() > 0 ? static_cast<double>(R(matrix.cwiseAbs().maxCoeff())) : 0.0;

@@ -14,8 +14,8 @@ namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
 /// Heights over a face, over the root of twice its area, below which points within are seen from it.
 inline constexpr double kSeenFromFace = 0x1p-3;
-/// Heights over a face, likewise, below which they are lost to the rounding of its plane, so that nobody knows whether
-/// a point is on it.
+/// Heights over a face, in the same unit, below which they are lost to the rounding of its plane, so that it cannot be
+/// known whether a point is on the face.
 inline constexpr double kLostHeight = 0x1p-92;
 
 /// A function with gradient, and Hessian as xx, xy, xz, yy, yz, zz.
@@ -23,7 +23,7 @@ struct SpaceJet {
   Lanes value{}, gradient[3] = {}, hessian[6] = {};
 };
 
-/// Which entries of a vector each entry of a Hessian belongs to.
+/// The two axes of each entry of a Hessian.
 inline constexpr int kHessianFirst[6] = {0, 0, 0, 1, 1, 2}, kHessianSecond[6] = {0, 1, 2, 1, 2, 2};
 
 template <int O>
@@ -40,18 +40,18 @@ SpaceJet product_of(const SpaceJet& a, const SpaceJet& b) {
   return c;
 }
 
-/// Base faces as points see them; zero where a point has none.
+/// The face that each point is seen from, in the point's terms; zero for points without one.
 struct BaseFace {
   Mask seen{};
   Lanes vertex[3] = {splat(-1), splat(-1), splat(-1)};
   SpaceJet height;       ///< d
   SpaceJet hat[3];       ///< b_k
   SpaceJet rest[3];      ///< w_k - b_k V, in the scale of the columns
-  SpaceJet total;        ///< d V, likewise
+  SpaceJet total;        ///< d V, in the same scale
   Lanes beside[2] = {};  ///< V's derivatives across the plane, which the columns do not have
 };
 
-/// The face that each point is seen from, the nearest of those that are not far; -1 where it is next to none.
+/// The face that each point is seen from, the nearest of those that are not far; -1 for points next to no face.
 inline Lanes base_faces(const CageTables& cage, const NearFaces& faces, const SeenVertex* vertex, const Lanes* height) {
   Lanes base = splat(-1), least = splat(1e300);
   for (int place = 0; place < faces.count; ++place) {

@@ -175,7 +175,8 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
     return std::ldexp(factor, (blocks()[b].degree - order) * geometry_.exponent());
   }
 
-  // put: (columns, request, the block's points). alone: (point, its tables), of what blocks leave out.
+  // put(columns, request, the block's points) takes each block; alone(point, its tables) each point that blocks leave
+  // out.
   template <class Put, class Alone>
   void over_blocks(std::span<const Vec3<double>> points, int order, Put put, Alone alone) const {
     const Request request = request_for(order);
@@ -209,8 +210,9 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
     return tables;
   }
 
-  // At a point on the border of faces. Vertices beside these are the only ones that have all derivatives there, and the
-  // sides of a thin wall that they stand on cancel: sums over their faces get more digits than those in double have.
+  // Stores coordinates at a point on the border of faces. Only the vertices beside these have all derivatives there,
+  // and the sides of a thin wall that they stand on cancel: sums over their faces get more digits than those in double
+  // have.
   void put_vertices_beside(const Vec3<double>& point, const Request& request, BlockRunner& runner,
                            std::vector<CoordinateTable<double>>& tables) const {
     const std::vector<Touching> touches = elements_->touching(point);
@@ -259,7 +261,7 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
 const RegisterWholeEvaluation registered{
     {.name = kName,
      .description = "the whole cage for a vector of points at once; more digits next to edges and vertices",
-     // Where there are quads to keep, these are others' to evaluate.
+     // Cages whose quads are kept are left to other evaluations.
      .exists =
          [](const CoordinateKind& kind, const Cage& cage) {
            return layers_of(kind) && (!kind.keeps_quads || (cage.dimension() == 3 && !cage.has_quads()));

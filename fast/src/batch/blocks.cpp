@@ -11,9 +11,9 @@
 namespace cageproof::closed_form::batch {
 namespace {
 
-// In radii of the cage. Beyond kTooFar sums of closed forms stand in, because double-doubles may cancel too much.
-// Beyond kFar double may, where nothing measures it: cancelling.h measures only values of Kelvin's layers, and mean
-// values, whose weights' sum cancels far away, have limits of their own.
+// Distances in radii of the cage. Beyond kTooFar double-doubles may cancel too much, so sums of closed forms are taken.
+// Beyond kFar double may cancel too much, where it is not measured: cancelling.h measures only values of Kelvin's
+// layers, and mean values, whose weights' sum cancels far away, have limits of their own.
 constexpr double kFar = 1.25, kTooFar = 256;
 
 bool is_measured_far_away(Layers layers, int order) {

@@ -26,7 +26,7 @@ struct Request {
 /// Memory for one block after the other, within one thread.
 class BlockRunner {
  public:
-  /// They must outlive it.
+  /// The arguments must outlive this.
   BlockRunner(const Geometry& geometry, const CageElements& elements, const Request& request,
               const Kernels& with = kernels())
       : BlockRunner(geometry, &elements, request, with) {}

@@ -17,7 +17,7 @@ inline constexpr double kOfNorm = 64, kOfKelvinNorm = 18, kOfDistance = 26, kOfS
 /// The measure of gradients, times this and over the size of the cage, is that of Hessians.
 inline constexpr double kOfBend = 4;
 
-/// Measures of faces: of one face that is added in double, or the sums of the faces' squares.
+/// Measures of one face that is added in double, or sums of the squares of all faces' measures.
 struct Measures {
   Lanes thin{};         ///< as kThin says
   Lanes of_layer{};     ///< of the double layer's values
@@ -64,7 +64,7 @@ struct MeasuredBlock {
   Mask lowered;             ///< whether limits are
 };
 
-/// For some points.
+/// Lets `points` take all rules.
 inline void take_all_rules(MeasuredBlock& measured, Mask points) {
   for (int i = 0; i < kLanes; ++i)
     if (points[i] != 0) measured.rules[i] = kFarRules;
@@ -78,7 +78,7 @@ inline Lanes norm_of(const Block& block, int order, int b, int each) {
   return root(sum);
 }
 
-/// Lowers a limit where the sum of squares is too large, so that it no longer is. \return where that is
+/// Lowers `limit` for points whose sum of squares exceeds most^2, so that the sum no longer does. \return these points
 inline Mask lower(Lanes& limit, Lanes squares, Lanes most, Lanes faces) {
   const Lanes square = most * most;
   const Mask lowered = squares > square;
@@ -87,7 +87,7 @@ inline Mask lower(Lanes& limit, Lanes squares, Lanes most, Lanes faces) {
   return lowered;
 }
 
-/// The same; of the limits that `below` knows the largest that suffices.
+/// Lowers `limit` in the same way, to the largest sufficient limit that `below` knows.
 inline Mask lower(Lanes& limit, const SquaresBelow& below, Lanes squares, Lanes most, Lanes faces) {
   const Lanes square = most * most;
   const Mask lowered = squares > square;
@@ -99,10 +99,10 @@ inline Mask lower(Lanes& limit, const SquaresBelow& below, Lanes squares, Lanes 
   return lowered;
 }
 
-/// Lowers the limits of points whose roundings are too large for what they are held to: the coordinates' norm, and that
-/// of the next derivatives times the cage's size. Derivatives that are not at hand are estimated. The Laplacian of
-/// phibar is phi, by which its Hessian is at least phi/sqrt(3) and its third derivatives phi's gradient over sqrt(3);
-/// its gradient is about the geometric mean of phibar and phi, in thin limbs as well.
+/// Lowers the limits of points whose roundings are too large against the coordinates' norm, and that of the next
+/// derivatives times the cage's size. Derivatives that are not computed are estimated. The Laplacian of phibar is phi,
+/// by which its Hessian is at least phi/sqrt(3) and its third derivatives phi's gradient over sqrt(3); its gradient is
+/// about the geometric mean of phibar and phi, in thin limbs as well.
 template <Layers L, int O>
 Mask lower_limits(const Block& block, MeasuredBlock& measured) {
   const Lanes faces = select(measured.faces > 1, measured.faces, splat(1));

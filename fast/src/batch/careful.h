@@ -9,11 +9,11 @@
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
-/// As kNextToEdge and kNextToFace, for double-doubles, by the derivatives that are asked for: heights that are powers
+/// kNextToEdge and kNextToFace for double-doubles, by the highest derivative that is asked for: heights that are powers
 /// of 1e-31 of the face enter Hessians squared.
 inline constexpr double kBeyondEdge[3] = {0x1p-40, 0x1p-36, 0x1p-20};
 inline constexpr double kBeyondFace = 0x1p-70;
-/// The same limit for distances from corners.
+/// kBeyondFace for distances from corners.
 inline constexpr double kLeast = 0x1p-160;
 
 template <Layers L, int O>
@@ -33,7 +33,7 @@ void sum_marked_faces(Block& block, Pair* columns) {
     const Pair omega = Pair(2.0) * angle_of(seen.across, seen.along);
     const Lanes high = magnitude(seen.across.high), wide = magnitude(seen.along.high);
     const Lanes edge_limit = kBeyondEdge[O] * seen.product.high;
-    // Quotients of nothing are beyond as well, and distances whose powers leave double's range.
+    // Quotients 0/0 are undecided as well, and distances whose powers leave double's range.
     const Mask decided = ((high > edge_limit) | (wide > edge_limit)) &
                          ((seen.along.high > Lanes{}) | (high > kBeyondFace * wide)) & (seen.r[0].high > kLeast) &
                          (seen.r[1].high > kLeast) & (seen.r[2].high > kLeast);

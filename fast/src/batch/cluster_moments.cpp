@@ -61,7 +61,7 @@ class Sources {
     if (++count_ == together_) flush();
   }
 
-  // As FarCluster has them.
+  // The moments as FarCluster takes them.
   std::vector<double> moments() {
     // The places that are left over get sources without strength.
     for (int i = 6; i < kNumbers; ++i) std::fill_n(&numbers_[i * together_ + count_], together_ - count_, 0.0);

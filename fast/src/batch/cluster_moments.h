@@ -28,15 +28,15 @@ class ClusterMoments {
   /// The highest degree that is taken where vertices are mapped to no farther than that many errors from their middle.
   static int degree_for(double errors);
 
-  /// What `error` allows for a solid angle of 4 pi is one over this.
+  /// One over the share of `error` that is allowed for a solid angle of 4 pi.
   static constexpr double kShares = 8;
-  /// The highest first.
+  /// The degrees, the highest first.
   const std::array<int, kDegrees>& degrees() const { return degrees_; }
-  /// Clusters of no more faces are asked for by all that are within them, or face by face.
+  /// Near a cluster of at most this many faces these are summed one by one; larger clusters are taken by those within.
   int least() const { return least_; }
   /// Squares of the distances from the cluster's centre from which on each degree is enough; infinite where none is.
   const std::array<double, kDegrees>& from(int cluster) const { return from_[cluster]; }
-  /// As FarCluster has them, up to the highest degree. \pre that is enough somewhere
+  /// The moments as FarCluster takes them, up to the highest degree. \pre that degree is enough somewhere
   const double* moments(int cluster) const { return moments_[cluster].data(); }
 
  private:
@@ -49,7 +49,7 @@ class ClusterMoments {
   const ClusterTree& tree_;
   const ClusterData& data_;
   CageTables tables_;
-  double share_;  // what a cluster may be off, times 4 pi and its distance's square over its area
+  double share_;  // a cluster's largest error, times 4 pi and its distance's square over its area
   std::array<int, kDegrees> degrees_{};
   int least_;
   std::vector<double> charge_, dipole_;  // of faces: their largest densities

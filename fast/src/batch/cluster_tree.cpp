@@ -9,7 +9,7 @@
 namespace cageproof::closed_form::batch {
 namespace {
 
-// Clusters of no more faces have none within.
+// Clusters of at most this many faces are not divided.
 constexpr int kLeastCluster = 24;
 
 }  // namespace

@@ -42,7 +42,7 @@ class ClusterTree {
   explicit ClusterTree(const Geometry& whole);
 
   const Geometry& whole() const { return whole_; }
-  /// The first one has all faces; clusters stand before those that are within them.
+  /// All clusters. The first has all faces; each cluster comes before those within it.
   const std::vector<Cluster>& clusters() const { return clusters_; }
   std::span<const int> faces(const Cluster& cluster) const {
     return std::span(faces_).subspan(cluster.first, cluster.last - cluster.first);

@@ -119,7 +119,7 @@ class Descent {
 
  private:
   struct Level {
-    std::vector<int> rest;  // points that the clusters within are asked for
+    std::vector<int> rest;  // points too near for the cluster's expansion
     std::array<std::vector<int>, ClusterMoments::kDegrees> far;
   };
 
@@ -281,7 +281,7 @@ class ClusteredSum final : public StatedSum {
   double error_;
 };
 
-// Half the diagonal of the box of what vertices are mapped to.
+// Half the diagonal of the box of the vertices' images.
 double size_of(const CageData& data) {
   std::array<double, kComponents> low, high;
   low.fill(std::numeric_limits<double>::infinity());

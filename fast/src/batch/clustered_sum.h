@@ -10,8 +10,8 @@
 
 namespace cageproof::closed_form::batch {
 
-/// Far faces together where that is quicker for that many points, else face by face.
-/// \param tree made where it is taken; what it returns must outlive the sum, as `exact`, which sums face by face
+/// A sum of far faces by clusters where that is quicker for that many points, else face by face.
+/// \param tree made if it is needed; the tree must outlive the sum, and so must `exact`, which sums face by face
 /// \param data three sets: of vertices and of faces \param error in the data's unit of length
 std::unique_ptr<const StatedSum> clustered_sum(const Lazy<std::shared_ptr<const ClusterTree>>& tree, int faces,
                                                const AppliesData& exact, const CageData& data, double error,

@@ -21,7 +21,7 @@ struct EdgeFrame {
   Three<V> u, foot, normal;  ///< direction; D; D x u
   V square;                  ///< |D|^2
   V inverse, cubes, ends;    ///< L, K3, S3
-  V fifths, fifth_ends;      ///< 3 K5, 3 S5; for what `hess_distance` does not take
+  V fifths, fifth_ends;      ///< 3 K5, 3 S5; hess_distance() does not need them
 };
 
 template <class V>

@@ -9,13 +9,13 @@
 
 namespace cageproof::closed_form::batch {
 
-/// Which integrals over edges the layers take for derivatives up to order O.
+/// The integrals over edges that the layers need for derivatives up to order O.
 template <Layers L, int O>
 struct Takes {
   static constexpr bool distances = L != Layers::Harmonic;
   static constexpr bool distance_gradients = L == Layers::Kelvin || (L == Layers::Biharmonic && O == 2);
   static constexpr bool inverse_gradients = O == 2 || (L == Layers::Kelvin && O == 1);
-  /// How many more derivatives: those of Kelvin's layers.
+  /// The number of further derivatives, which Kelvin's layers need.
   static constexpr int further = O * static_cast<int>(L == Layers::Kelvin);
 };
 

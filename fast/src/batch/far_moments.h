@@ -25,7 +25,7 @@ constexpr bool takes_hats(int rank, int power) {
   const bool biharmonic = (power == 1 + 2 * rank && rank <= O) || (O == 2 && power == 3 && rank == 0);
   return harmonic || (L == Layers::Biharmonic && biharmonic);
 }
-/// The same of int p^rank/r^power.
+/// Whether the layers take sums of int p^rank/r^power.
 template <Layers L, int O>
 constexpr bool takes_sums(int rank, int power) {
   if (L == Layers::Kelvin)
@@ -42,10 +42,11 @@ constexpr bool takes_sums(int rank, int power) {
 /// Points of a rule that are taken at a time, so that sums are seldom fetched and put back.
 inline constexpr int kAtOnce = 2;
 
-/// Where a^i b^j is among monomials by rising degree.
+/// The place of a^i b^j among monomials by rising degree.
 constexpr int monomial_at(int i, int j) { return (i + j) * (i + j + 1) / 2 + j; }
 
-/// Up to which degree integrals of monomials over r^power are taken; -1 where none are. Hat functions have one degree.
+/// The highest degree of monomials over r^power whose integrals are needed; -1 where none are. Hat functions have one
+/// degree.
 template <Layers L, int O>
 constexpr int degree_over(int power) {
   int degree = -1;
@@ -102,7 +103,7 @@ struct FarCorner {
   }
 };
 
-/// Integrals of p^Rank over a power of r: three sets are weighted with one hat function each, a single set with one.
+/// Integrals of p^Rank over a power of r. Three sets are weighted with one hat function each, a single set with 1.
 template <bool Taken, int Rank, int Sets>
 struct Summed {
   Symmetric<Lanes, Rank> of[Sets];
@@ -158,8 +159,8 @@ struct FarMoments {
   Sums<3, 5> sum35;
   Sums<4, 7> sum47;
 
-  /// \param corner from the point to corner 0 \param edges from there to corners 1 and 2 \param points
-  /// of which integrals are wanted: those of others are zero
+  /// \param corner from the point to corner 0 \param edges from there to corners 1 and 2 \param points those whose
+  /// integrals are wanted; the others' are zero
   FarMoments(const FarRule& rule, const Three<Lanes>& corner, const double (&edges)[2][3], double area, Mask points) {
     // Squared lengths of the vectors from corner 0, of as many points at a time as a vector holds; those behind the
     // last have no weight.

@@ -29,7 +29,7 @@ template <Layers L>
 inline constexpr double kManyThin = L == Layers::Biharmonic ? 100 : 160;
 inline constexpr double kThinOfMany = 4;
 
-/// How many rules are taken before roundings are known: those that are quicker than closed forms, and of Kelvin's
+/// The number of rules in use before roundings are known: those that are quicker than closed forms, and for Kelvin's
 /// derivatives, which edge_tails.h does not reduce, those that keep their digits.
 template <Layers L, int O>
 inline constexpr int kRulesFirst = L == Layers::Kelvin&& O >= 1 ? 5 : 2;
@@ -39,7 +39,7 @@ inline constexpr int kRulesFirst = L == Layers::Kelvin&& O >= 1 ? 5 : 2;
 /// such faces are as many and as random as the faces. At least a third of their limit is the slope of the coordinates,
 /// which is at least twice these over the distance.
 inline constexpr double kOfShort = 0.15;
-/// The same of derivatives of Kelvin's layers, whatever the distance.
+/// That share for derivatives of Kelvin's layers, at every distance.
 inline constexpr double kOfShortKelvin = 0.015;
 
 inline unsigned bits_of(Mask m) {
@@ -143,7 +143,7 @@ template <Layers L, int O>
       squares.template add_squares<L>(measures, out);
       if constexpr (L == Layers::Biharmonic && O >= 1) measured.thin_below.add(measures.thin, out);
       const Three<Lanes>* const x[3] = {&v0.x, &v1.x, &v2.x};
-      // One piece of code adds whole faces and parts of them, so that it rounds alike.
+      // The same code adds whole faces and parts of them, so that both round in the same way.
       const Edge* edges[3] = {&e0, &e1, &e2};
       Edge left[3];
       if (any(out)) [[unlikely]] {
@@ -160,7 +160,7 @@ template <Layers L, int O>
   measured.squares = squares;
 }
 
-/// Adds the faces that are far, and what edges between these and near ones have.
+/// Adds the faces that are far, and the terms of edges between these and near ones.
 template <Layers L, int O>
 void add_far_faces(const Block& block, const NearFaces& near) {
   const CageTables& cage = *block.cage;

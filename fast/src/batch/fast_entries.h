@@ -69,7 +69,7 @@ inline long scratch_bytes(int vertices, int edges, int faces, int columns) {
 template <int Width>
 struct Order {
   static constexpr int kept = Width;
-  /// Where a derivative is among those kept.
+  /// The place of a derivative among those kept.
   static constexpr int place(int i) { return i; }
 };
 template <>
@@ -97,7 +97,7 @@ void put(double* to, double x) {
   *to = x;
 }
 
-/// Columns to rows, some at a time, so that what is turned stays in the nearest cache.
+/// Transposes columns to rows, some at a time, so that each piece stays in the nearest cache.
 template <int Width, bool Streaming>
 void store_rows(const Rows& rows, int points) {
   constexpr int tile = 48, kept = Order<Width>::kept;
@@ -137,7 +137,7 @@ inline void store(const Rows& rows, int points) {
     else store_rows<Width, false>(rows, points);
   });
 #if defined(__SSE2__)
-  // Other threads see what went past the caches from here on.
+  // From here on, other threads see the rows that were written past the caches.
   if (rows.streaming) __builtin_ia32_sfence();
 #endif
 }

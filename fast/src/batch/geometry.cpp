@@ -203,7 +203,7 @@ void Geometry::find_reach() {
     for (const int v : {e.from, e.to}) reach_[v] = std::min(reach_[v], 0x1p-7 * e.length);
 }
 
-// Eight is what the longest vectors hold.
+// Rounds up to eight, the length of the longest vectors.
 void Geometry::find_centroids() {
   constexpr std::size_t lanes = 8;
   const std::size_t stride = (face_.size() + lanes - 1) / lanes * lanes;

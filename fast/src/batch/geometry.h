@@ -36,7 +36,7 @@ class Geometry {
   /// \param vertices becomes the numbers in the whole of the part's
   Geometry part(std::span<const int> faces, std::vector<int>& vertices) const;
 
-  /// Whether double holds all tables: the vertices are what they were, divided by the unit, and triangles have areas.
+  /// Whether double holds all tables: dividing the vertices by the unit was exact, and triangles have areas.
   bool is_sound() const { return sound_; }
   /// The caller's lengths are these times 2^exponent().
   int exponent() const { return exponent_; }

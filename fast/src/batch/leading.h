@@ -8,7 +8,7 @@
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
-/// At each point the vertex whose coordinate is more than half, of several the largest; -1 where there is none.
+/// For each point, the vertex with the largest coordinate above 1/2; -1 where there is none.
 inline Lanes leading(const Lanes* values, int vertices) {
   Lanes most = splat(0.5), lead = splat(-1);
   for (int v = 0; v < vertices; ++v) {

@@ -77,7 +77,8 @@ class MeanValueFace {
   Lanes height() const { return d_; }
   /// V
   Lanes total() const { return whole_; }
-  /// About what the roundings of V, Q, dQ/dd and of sums over the edges leave in the weights and their derivatives.
+  /// About the errors that roundings of V, Q, dQ/dd and of sums over the edges cause in the weights and their
+  /// derivatives.
   Roundings<O> roundings() const {
     const Lanes d = magnitude(d_), over = 1 / d;
     const Lanes slope = face_.steep * (side_[0]->k2 + side_[1]->k2 + side_[2]->k2);
@@ -309,7 +310,7 @@ void sum_mean_value_faces(Block& block, const NearFaces& faces, const SeenVertex
     const Mask out = marked | far;
     if (any(near)) left |= near & is_left_beside<O>(cage, face, corner, side);
     if (any(mine)) {
-      // A height that is nothing but rounding: the point is on the face, or nobody knows.
+      // A height below kLostHeight is only rounding: the point may be on the face.
       const Lanes d = magnitude(seen.height());
       left |= mine & ((marked & (d < splat(kLeftBeside<O> * kBesideEdge * __builtin_sqrt(face.area2)))) |
                       (d < splat(kLostHeight)));

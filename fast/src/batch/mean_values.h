@@ -51,7 +51,7 @@ inline void see_finely(const Block& block, int f, const SeenVertex* const (&corn
     h[e] = select(where, fine[e], h[e]);
     const Lanes square = fine[e] * fine[e] + d * d, distance = root(square);
     const Lanes angle = angle_of(distance * length, dot(corner[e]->x, corner[(e + 1) % 3]->x));
-    // A distance of zero has the integral of the edge's own form, or none.
+    // Where the distance is zero, the edge's own form keeps its integral.
     const Mask mine = where & (distance > Lanes{});
     to.square = select(mine, square, to.square);
     to.distance = select(mine, distance, to.distance);
@@ -117,7 +117,7 @@ struct Attempts {
   Small rules = Small{} + static_cast<signed char>(kFirstRules);
   Mask limited{};
 
-  /// \param many points that too much is left of \return those of them that are to have a limit
+  /// \param many points whose sums are too large \return those of them that get a limit
   Mask next(Mask many, const NearFaces& near) {
     const Mask ruled = many & near.between;
     for (int i = 0; i < kLanes; ++i)
@@ -130,8 +130,8 @@ struct Attempts {
   bool again = true;
 };
 
-/// How many rules are taken first, by order: as many as are quicker than closed forms at points next to faces, and at
-/// others as many as fine cages need.
+/// The number of rules in use at first, by order: at points next to faces those that are quicker than closed forms, at
+/// other points those that fine cages need.
 inline constexpr int kFewMeanValueRules[3] = {2, 4, 4}, kQuickMeanValueRules[3] = {5, kQuickRules, kQuickRules};
 
 /// Adds the faces that are near. \return the points that are left to others

@@ -25,12 +25,12 @@ inline unsigned long long bytes_of(Small m) {
 }
 inline Mask widened(Small m) { return __builtin_convertvector(m, Mask); }
 
-/// Which faces are near, for each point of a block by itself: what is computed of a point does not depend on others.
+/// The faces that are near, for each point of a block separately: a point's result does not depend on the others.
 struct NearFaces {
-  int* faces;                    ///< those that are near to a point
-  int count;                     ///< how many they are
+  int* faces;                    ///< the faces that are near to a point
+  int count;                     ///< the number of these
   Small* rule;                   ///< of faces: the first rule that is good enough; kFarRules where none is
-  Small rules;                   ///< how many are taken: the face is near where its rule is none of them
+  Small rules;                   ///< the number of rules in use: a face is near where its rule is not one of them
   Small* sign;                   ///< of edges: how often they are run through by near faces, less how often backwards
   Lanes faces_of;                ///< how many faces are near
   Mask between;                  ///< whether there are rules, not quick ones, for some of them

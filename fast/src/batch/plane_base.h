@@ -17,7 +17,7 @@ inline constexpr double kLostOverSide = 0x1p-44;
 /// Distances from an edge's ends, over its length, below which derivatives of that order are left to others.
 inline constexpr double kLeftAtEnds[3] = {0, 0x1p-9, 0x1p-7};
 
-/// Base edges as points see them; zero where a point has none.
+/// The edge that each point is seen from, in the point's terms; zero for points without one.
 struct BaseSide {
   Mask seen{};
   Lanes vertex[2] = {splat(-1), splat(-1)};

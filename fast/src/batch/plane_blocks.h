@@ -8,14 +8,14 @@
 
 namespace cageproof::closed_form::batch {
 
-/// As BlockRunner, of a polygon.
+/// BlockRunner for a polygon.
 class PlaneRunner {
  public:
-  /// They must outlive it.
+  /// The arguments must outlive this.
   PlaneRunner(const Polygon& polygon, const CageElements& elements, const Request& request,
               const Kernels& with = kernels());
 
-  /// As of BlockRunner; what is left to others lies on a vertex or leaves double's range.
+  /// As BlockRunner::run; points left to others lie on a vertex, or their results leave double's range.
   unsigned run(std::span<const Vec3<double>> points);
   const double* columns() const { return columns_.get(); }
 

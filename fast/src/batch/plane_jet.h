@@ -64,7 +64,7 @@ inline PlaneJet linear_jet(Lanes value, double dx, double dy) {
   a.gradient[1] = splat(dy);
   return a;
 }
-/// Some points' jet to those of others.
+/// Replaces the jet `to` by `from` for the points `mine`.
 template <int O>
 void take(Mask mine, const PlaneJet& from, PlaneJet& to) {
   to.value = select(mine, from.value, to.value);

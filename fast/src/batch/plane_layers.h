@@ -36,7 +36,7 @@ inline void add_bend(Lanes* to, const Complex& d) {
   to[1] -= d.im;
   to[2] -= d.re;
 }
-/// That its imaginary part has the derivatives of its real part times -i.
+/// -i d: the imaginary part of an analytic function f is the real part of -i f.
 inline Complex turned(const Complex& d) { return {d.im, -d.re}; }
 
 struct SeenEdgeOfPlane {

@@ -141,7 +141,7 @@ inline void decide_sides(const PlaneBlock& block, const SideTable& side, SeenSid
     const double point[2] = {block.points[i], block.points[kLanes + i]};
     const int right = block.side_of(block.cage->vertex + 2 * side.from, block.cage->vertex + 2 * side.to, point);
     if (right == 0) seen.height[i] = 0;
-    // A multiple of the rounding of `along` is as good as nothing, and can be divided by.
+    // A size below a multiple of the rounding of `along` becomes that multiple: negligible, and safe to divide by.
     double size = __builtin_fabs(seen.across[i]);
     const double least = -0x1p-60 * seen.along[i];
     if (size < least) size = least;

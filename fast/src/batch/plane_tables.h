@@ -22,7 +22,7 @@ struct PolygonTables {
   const SideTable* side;
 };
 
-/// A block of as many points as a vector has lanes, and memory for what is computed of it.
+/// A block of as many points as a vector has lanes, and memory for its results.
 struct PlaneBlock {
   const PolygonTables* cage;
   Layers layers;
@@ -33,7 +33,7 @@ struct PlaneBlock {
   const double* points;  ///< [2][lanes]
   double* columns;       ///< [column][lanes]: sums over edges
   void* scratch;         ///< plane_scratch_bytes of it, aligned to 64
-  unsigned left;         ///< points that nothing is computed of: a bit each
+  unsigned left;         ///< points without a result: a bit each
   /// Exactly: 1 where the point is to the right of the line through `from` and `to`, -1 to the left, 0 on it.
   int (*side_of)(const double* from, const double* to, const double* point);
 };

@@ -17,7 +17,7 @@ class Polygon {
   /// \pre all elements are segments
   explicit Polygon(const CageElements& elements);
 
-  /// Whether double holds all tables: the vertices are what they were, divided by the unit, and edges have lengths.
+  /// Whether double holds all tables: dividing the vertices by the unit was exact, and edges have lengths.
   bool is_sound() const { return sound_; }
   /// The caller's lengths are these times 2^exponent().
   int exponent() const { return exponent_; }

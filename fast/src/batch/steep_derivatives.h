@@ -52,7 +52,7 @@ struct HeldRoundings {
 
 /// The root of the sum of squares may be this much of the weights' total and, by order, of all weights' derivatives.
 inline constexpr double kSteepOrders[3] = {8, 32, 64};
-/// The same, of what coordinates allow that are seen from a face.
+/// At points seen from a face, the root of the sum of squares may be this much of the error that coordinates allow.
 inline constexpr double kSteeperMost = 16;
 /// Faces count as steeper when they are this much steeper than the face that a point is seen from. Others leave no more
 /// than that face's hat functions allow.
@@ -90,7 +90,7 @@ class SteepDerivatives {
     all_.most[0] = kSteepOrders[0] * whole;
     constexpr int kept[3] = {1, 3, 6};
     for (int o = 1; o <= O; ++o) all_.most[o] = kSteepOrders[o] * (norm_of(block, o, 0, kept[o]) + base.beside[o - 1]);
-    // A face that is left to others is none to be seen from.
+    // Points are not seen from faces that are left to others.
     const auto held = [&](int o, Lanes most) {
       steeper_.most[o] = select(base.seen, kSteeperMost * most, splat(kBeyond));
     };

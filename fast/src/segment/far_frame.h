@@ -14,7 +14,7 @@
 
 namespace cageproof::fast::segment {
 
-/// \tparam R double, or what takes its place
+/// A segment's frame for the far form. \tparam R double, or Counted
 template <Scalar R>
 struct FarFrame : Frame<R> {
   using Frame<R>::Frame;

@@ -20,8 +20,8 @@ inline constexpr int kExtreme = 400;
 /// The least ratio of lengths, and of their products with the sine of the angle at the nearer end, to the longest one.
 inline constexpr double kTiny = 0x1p-900;
 
-/// Whether powers of distances leave double's range. A point off the line may have a height, over what is longest, that
-/// double has few bits of, or none.
+/// Whether powers of distances leave double's range. The height of a point off the line, over the longest length, may
+/// be subnormal or zero in double.
 inline bool is_extreme(const Segment<double>& s, const Vec3<double>& eta, const Frame<double>& frame) {
   if (frame.at_end) return false;
   if (frame.near_exponent - frame.exponent < -kExtreme || frame.exponent < -kExtreme) return true;
@@ -29,8 +29,8 @@ inline bool is_extreme(const Segment<double>& s, const Vec3<double>& eta, const 
   return std::abs(frame.length * frame.near.im) < kTiny && side_of_line(s, eta) != 0;
 }
 
-/// Whether values are so small that double may have no digits of them, as of angles of the size of the least numbers.
-/// Far away nothing cancels, nor is there need.
+/// Whether values are so small that double may have none of their digits, such as angles of the size of the least
+/// numbers. Far away, where no terms cancel, this is never needed.
 template <std::size_t C>
 bool is_next_to_nothing(const Frame<double>& frame, const std::array<double, C>& values) {
   double size = 0;
@@ -64,7 +64,8 @@ bool is_next_to_line(const Frame<double>& frame) {
   else return false;
 }
 
-/// Whether what is infinite at the ends has signs that double may not tell: polynomials of the segment's direction.
+/// Whether infinities at the ends have signs that double may get wrong, because they are polynomials of the segment's
+/// direction.
 template <class F>
 inline constexpr bool has_signs_at_ends = requires {
   F::has_signs_at_ends;

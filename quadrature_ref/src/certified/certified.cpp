@@ -153,7 +153,7 @@ void integrate_certified(std::string_view formula, const Query<R>& query, Result
   [[maybe_unused]] static thread_local const ThreadCaches caches;
   const Formula& row = formula_named(formula);
   result.reset(row.components(), row.dim(), query.order);
-  // A segment's moments take microseconds, and cancel next to its line what a triangle's do not.
+  // A segment's moments take microseconds, and cancel next to its line, so they may take more bits.
   const int most_bits = row.element == ElementKind::Segment ? effort.most_bits * kBitsOfSegments : effort.most_bits;
   std::optional<Attempt> best;
   std::size_t nodes = 0;
@@ -195,7 +195,8 @@ CAGEPROOF_INSTANTIATE(Mp200)
 
 namespace {
 
-// A family a definition. None is standard: the check `enclosure` asks for as many as a campaign can afford.
+// One family per definition. None is standard: the check `enclosure` asks for as many enclosures as a campaign can
+// afford.
 [[maybe_unused]] const bool registered = [] {
   std::vector<std::string> enclosed = formulas_enclosed_on_quads();
   for (const Definition& definition : definitions()) enclosed.emplace_back(definition.formula);

@@ -90,7 +90,7 @@ Polynomial polyharmonic_single_layer() {
     sum = sum + (constant(2 * m - 1) * logarithm() + constant(2 * m)) * one_over_r(2 - 2 * m);
   return sum;
 }
-// dG_m/dn: x.n times minus what the gradient of -G_m is along x.
+// dG_m/dn: x.n times -g, where g x is the gradient of -G_m.
 Polynomial polyharmonic_double_layer() {
   Polynomial sum;
   for (int m = 1; m <= kHighestOrder; ++m) {

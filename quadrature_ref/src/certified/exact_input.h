@@ -18,10 +18,10 @@ using Vector = std::array<Real, 3>;
 template <std::size_t Corners>
 using ExactInput = std::array<Vector, Corners + 1>;
 
-/// Exact arithmetic on a spread of exponents costs as many bits.
+/// The most bits that coordinates may spread over: exact arithmetic needs at least so many.
 inline constexpr slong widest_spread = 20000;
 
-/// Nothing for an input that is not finite, or whose coordinates spread over more than 2^widest_spread.
+/// The input as exact numbers; nothing if it is not finite, or its coordinates spread over more than 2^widest_spread.
 template <std::size_t Corners, Scalar R>
 std::optional<ExactInput<Corners>> exact_input(const Query<R>& query) {
   using std::isfinite;

@@ -32,8 +32,8 @@ struct Frame {
   std::array<std::array<Real, 3>, 3> hat;   ///< hat function of corner k: hat[k][0] + hat[k][1] y1 + hat[k][2] y2
 };
 
-/// At working_bits, all signs exactly. Nothing for a triangle without area, an input that is not finite, or one whose
-/// coordinates spread over more than 2^20000.
+/// The frame at working_bits, with exact signs. Nothing for a triangle without area, an input that is not finite, or
+/// one whose coordinates spread over more than 2^20000.
 template <Scalar R>
 std::optional<Frame> frame_of(const Query<R>& query);
 

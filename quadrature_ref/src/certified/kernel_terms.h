@@ -52,7 +52,7 @@ Polynomial inverse_distance(int q);  ///< r^(-q)
 Polynomial logarithm();              ///< ln r
 Polynomial constant(int number);     ///< the definition's constant of that number, from 1
 
-/// A formula's kernel, typed in from its definition once more: nothing of src/kernel is used.
+/// A formula's kernel, written once more from its definition: it uses no code of src/kernel.
 struct Definition {
   std::string_view formula;
   bool per_corner;                     ///< weighted with the hat function of each corner

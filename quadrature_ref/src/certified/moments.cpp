@@ -43,7 +43,7 @@ class EdgeIntegrand {
   Number r;
 };
 
-// A stretch of an edge, and what bounds the integrand's size on the ellipse about it with foci at its ends.
+// A stretch of an edge, with bounds of the integrand's size on the ellipse whose foci are its ends.
 struct Panel {
   const EdgeFrame* edge;
   Real middle, half;
@@ -87,7 +87,7 @@ class Integrator {
 
  private:
   int stride() const { return range_.highest_degree() + 1; }
-  // That many evaluations of the integrand in so many words.
+  // Counts the work of evaluations of the integrand in numbers of `words` words.
   void spend(double evaluations, double words) {
     work_left_ -= evaluations * static_cast<double>(scale_.size()) * (1 + words * std::sqrt(words) / 8);
   }
@@ -111,7 +111,7 @@ class Integrator {
     return panels;
   }
 
-  // Estimates: they decide what is spent, and prove nothing.
+  // Estimates the sizes of integrals. They decide how much work is spent, and are no part of the proof.
   void note_scale(const Panel& panel) {
     const WorkingBits rough(rough_bits);
     EdgeIntegrand<Real> f(*panel.edge, frame_.height, radial_);
@@ -126,7 +126,7 @@ class Integrator {
     }
   }
 
-  // Nodes that make the bound of the error small enough; nothing where there is no bound.
+  // The number of nodes for which the error's bound is small enough; nothing where there is no bound.
   std::optional<int> nodes_for(const Panel& panel) const {
     const double common = panel.half.log2_size() + panel.edge->height.log2_size() + 3;
     const double y = std::max(panel.y_bound[0].log2_size(), panel.y_bound[1].log2_size());

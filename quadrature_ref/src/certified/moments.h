@@ -10,7 +10,7 @@
 
 namespace cageproof::quadrature_ref::certified {
 
-/// Which moments: per power q the highest degree a + b.
+/// A set of moments: per power q the highest degree a + b.
 class MomentRange {
  public:
   /// \param odd whether the powers are odd

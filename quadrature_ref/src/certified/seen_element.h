@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An element as its point sees it: what a kernel's terms are integrated over.
+// An element as its point sees it, over which a kernel's terms are integrated.
 #pragma once
 
 #include "kernel_terms.h"

@@ -20,8 +20,8 @@ using AdaptiveScalar =
 /// How far inside a point on the element is moved where double's range must hold the kernel, in units of its clearance.
 inline constexpr double kInward = 1e-16;
 
-/// How much more than others a node's share is off by whose coordinate is a length times sinh w: by the rounding of w
-/// itself, relative to which what grows like the degree's power of sinh w is off by degree times w times as much.
+/// The factor by which a node's relative error grows because its coordinate is a length times sinh w. The rounding of w
+/// changes a power `degree` of sinh w, relatively, by degree times w as much.
 /// \param degree the integral's power of length
 template <Scalar W>
 W rounding_growth(const W& w, int degree) {
@@ -38,9 +38,9 @@ W unresolved(const W& length) {
   return length > 8 ? W(4 * exp(length / 64)) : W(0);
 }
 
-/// Whether sums are next to W's least number, in the frame's unit, so that nodes' shares are rounded by that number and
-/// not by a rounding of theirs: nothing can be stated of such. The same of heights, a factor of kernels with x.n, which
-/// vanish in the element's plane. \param height exact
+/// Whether sums are next to W's least number, in the frame's unit, so that nodes' shares have errors of that size and
+/// no digits can be stated. Or whether heights are, which are a factor of kernels with x.n, and vanish in the element's
+/// plane. \param height exact
 template <Scalar W>
 bool is_lost(const Formula& formula, const Mp200& height, const Result<W>& sums, int order) {
   if constexpr (is_multiprecision<W>) {
@@ -69,7 +69,7 @@ class AdaptiveTotal {
  public:
   AdaptiveTotal(const Integrand& integrand, int order) : integrand_(integrand), order_(order) {}
 
-  /// The parts' sum. Its `nodes` counts what was spent on the way as well.
+  /// The parts' sum. Its `nodes` also counts those of parts that were divided since.
   const Result<W>& sums() const { return total_; }
   /// Bound of the relative error, norm-wise, the worst order's.
   const W& bound() const { return bound_; }
@@ -99,7 +99,7 @@ class AdaptiveTotal {
         spend(half);
         parts.push_back(std::move(half));
       }
-      if (parts.size() == count) return false;  // what is left is rounding
+      if (parts.size() == count) return false;  // the rest is rounding
     }
   }
 
@@ -118,7 +118,7 @@ class AdaptiveTotal {
         mass += part.part.mass[o];
       }
       size_[o] = norm(total_.of(o));
-      // A node's position is off by a few roundings, its kernel by about ten times as many.
+      // A node's position has an error of a few roundings, its kernel about ten times as much.
       rounding_[o] = 64 * unit_roundoff<W>() * mass;
       if (mass == 0) continue;
       const W bound = (error_[o] + rounding_[o]) / size_[o];
@@ -197,13 +197,13 @@ AdaptiveOutcome integrate_off_or_inside(const Contact& inside, int order, double
   return outcome;
 }
 
-/// Digits that the multiprecision evaluation is asked for in an adaptive one's place: two more than the tolerance, and
-/// as many as tell whether a limit exists.
+/// The digits to ask of the multiprecision evaluation in place of an adaptive one: two more than the tolerance, and at
+/// least 12, which tell whether a limit exists.
 inline double digits_beyond_tolerance(double tolerance) { return std::max(12., 2 - std::log10(tolerance)); }
 
 /// Sets a result and its statement. Rounding the result to R is part of the error.
-/// \param multiprecision sets the result by the multiprecision evaluation, which is asked where entries within R's
-/// range stand beside such as leave it, and the sums' digits do not tell them
+/// \param multiprecision sets the result by the multiprecision evaluation; called where some entries leave R's range
+/// and the sums have too few digits for those within
 template <Scalar R, Scalar W, class Multiprecision>
 void set_outcome(const Integrand& integrand, int exponent, const Result<W>& sums, int order, double tolerance,
                  AdaptiveOutcome outcome, Multiprecision multiprecision, Result<R>& result) {

@@ -10,19 +10,20 @@
 
 namespace cageproof::quadrature_ref {
 
-/// How far a tensor's entries lie apart. Where none leaves the range nothing is lost.
+/// The spread of a tensor's entries: how many digits those within the range have fewer than the whole tensor. None if
+/// no entry leaves the range.
 struct EntrySpread {
   double within = 0;  ///< log10 of the tensor's norm over the norm of its entries within range
   double beyond = -std::numeric_limits<double>::infinity();  ///< the same over the least entry beyond it
 
   /// Whether an entry left the range.
   bool leaves_range() const { return beyond > -1; }
-  /// Digits of the entries within range, of so many of the whole tensor; none where those do not tell the sign of an
-  /// entry beyond it.
+  /// The digits of the entries within range if the whole tensor has `digits`; 0 where these leave the sign of an entry
+  /// beyond it open.
   double digits_left(double digits) const {
     return digits > beyond + 1 ? digits - within : leaves_range() ? 0 : digits;
   }
-  /// Digits of the whole tensor that leave so many, and tell the signs.
+  /// The digits of the whole tensor that leave `digits` to the entries within range, and tell the signs.
   double digits_for(double digits) const { return std::max(digits + within, beyond + 2); }
 };
 

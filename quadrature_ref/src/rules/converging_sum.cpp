@@ -6,18 +6,18 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-// Orders whose limits agree to fewer digits than that have none; logarithms differ by a tenth.
+// Orders whose extrapolations agree to fewer digits than this have no limit; with a logarithm they differ by a tenth.
 constexpr double kLimitDigits = 20;
 
-// Digits by which a norm must exceed the error that a rule was asked for: asked for few digits, a rule's own error can
-// be a thousand times what it was asked for, and would pass for the norm.
+// Digits by which a norm must exceed the error that a rule was asked for. A rule's true error can be a thousand times
+// larger where few digits were asked for, and would pass for the norm.
 constexpr double kSeen = 4;
 
-// The most that all sums of a query may cost, in nodes times entries of the tensors: about a second, several where
-// kernels are dear. A node itself costs as much as kEntriesOfNode entries.
+// The most work of all sums for a query, in nodes times entries of the tensors: about a second, several with costly
+// kernels. A node itself costs as much as kEntriesOfNode entries.
 constexpr double kMostWork = 2e7, kEntriesOfNode = 10;
 
-// From tensors at distances h, 2h, 4h: one fewer, without the term h^power. A term h^power log h becomes one in
+// Combines tensors at distances h, 2h, 4h into one fewer, without the term h^power. A term h^power log h becomes one in
 // h^power, which a second call cancels.
 void cancel(int power, int order, std::vector<Result<Mp200>>& at) {
   const Mp200 factor = std::ldexp(1.0, power), denominator = factor - 1;
@@ -70,8 +70,8 @@ Answer converge(ConvergingSum& sum, double digits, int order) {
 }
 
 Answer limit_from_inside(const Inside& inside, double digits, int order) {
-  // The first term left has the factor h^3: fifteen digits below those wanted, since a limit may be that much smaller
-  // than the coefficients.
+  // The distance h. The first term left has the factor h^3, which is fifteen digits below those wanted, because a limit
+  // may be that much smaller than the coefficients.
   constexpr double kMargin = 15;
   const int times = inside.border ? 2 : 1;
   Mp200 inward = inside.clearance * pow(Mp200(10), Mp200(-(digits + kMargin) / 3));
@@ -83,7 +83,7 @@ Answer limit_from_inside(const Inside& inside, double digits, int order) {
   for (int i = 0; i < 3 * times; ++i) {
     inward *= 2;
     const auto sum = inside.moved(inward);
-    sum->take_norm(nearest->norm());
+    sum->take_log10_norms(nearest->log10_norms());
     at.push_back(sum->at(answer.aim));
     answer.sums.nodes += sum->nodes();
     for (int o = 0; o <= order; ++o) declined[o] = declined[o] || sum->declines(o);
@@ -105,7 +105,7 @@ Answer limit_from_inside(const Inside& inside, double digits, int order) {
       answer.digits[o] = digits + 8;
       continue;
     }
-    // A digit less than the extrapolations share: where the series is another, the last pass halves its error only.
+    // One digit fewer than the extrapolations share: the last pass only halves the error of another kind of series.
     const double limit = agreement(rough.of(o), tensor, digits + 9) - 1;
     answer.digits[o] = std::min(answer.digits[o], limit);
     if (limit >= kLimitDigits) continue;
@@ -115,26 +115,26 @@ Answer limit_from_inside(const Inside& inside, double digits, int order) {
   return answer;
 }
 
-void ConvergingSum::find_norm(const std::array<double, 3>& mass, const SumWithError& with_error) {
-  if (norm_is_known_) return;
-  norm_is_known_ = true;
-  // Rising digits relative to the mass until something is left of every order.
+void ConvergingSum::find_log10_norms(const std::array<double, 3>& log10_mass, const SumWithError& with_error) {
+  if (norms_are_known_) return;
+  norms_are_known_ = true;
+  // Asks for more and more digits relative to the mass, until every order has a norm above its error.
   std::array<double, 3> error;
   std::array<bool, 3> known{};
   for (const double digits : {10.0, 42.0, 92.0, 180.0}) {
-    for (int o = 0; o <= order_; ++o) error[o] = known[o] ? norm_[o] - 1 : mass[o] - digits;
+    for (int o = 0; o <= order_; ++o) error[o] = known[o] ? log10_norms_[o] - 1 : log10_mass[o] - digits;
     const Result<Mp200> sums = with_error(error);
     bool all_known = true;
     for (int o = 0; o <= order_; ++o) {
       if (known[o]) continue;
-      if (!declines(o)) norm_[o] = std::max(log10_norm(sums.of(o)), error[o]);
-      known[o] = declines(o) || mass[o] == kNoMass || norm_[o] > error[o] + kSeen;
+      if (!declines(o)) log10_norms_[o] = std::max(log10_norm(sums.of(o)), error[o]);
+      known[o] = declines(o) || log10_mass[o] == kNoMass || log10_norms_[o] > error[o] + kSeen;
       all_known = all_known && known[o];
     }
     if (all_known) return;
   }
   for (int o = 0; o <= order_; ++o)
-    if (!known[o]) norm_[o] = kDeclined;
+    if (!known[o]) log10_norms_[o] = kDeclined;
 }
 
 bool ConvergingSum::too_much(double nodes) {
@@ -147,7 +147,7 @@ bool ConvergingSum::too_much(double nodes) {
     entries += static_cast<double>(sizes.of(o).size());
   }
   if (highest < 0 || (static_cast<double>(nodes_) + nodes) * entries <= kMostWork) return false;
-  norm_[highest] = kDeclined;
+  log10_norms_[highest] = kDeclined;
   return true;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Integrals at any number of digits: what the multiprecision evaluation asks for twice.
+// Integrals to as many digits as asked, at most kMostDigits: computed twice, by rules that must agree.
 #pragma once
 
 #include "beyond_range.h"
@@ -12,30 +12,31 @@ namespace cageproof::quadrature_ref {
 
 /// Digits that the arithmetic of 50, 100 and 200 digits leaves after the rounding of a cell's sums and geometry.
 inline constexpr double kDigitsIn50 = 46, kDigitsIn100 = 95, kDigitsIn200 = 190;
-/// log10 of nothing: of a mass or a norm that is zero.
+/// log10 of a mass or a norm that is zero. A mass is the largest of a few samples of the integrand times a cell's
+/// extent.
 inline constexpr double kNoMass = -std::numeric_limits<double>::infinity();
-/// The most digits that a result is asked for: what two rules that must agree, the second better, leave of 190.
+/// The most digits that a result is asked for: of 190, two rules that must agree, the second better, leave so many.
 inline constexpr double kMostDigits = 160;
-/// The digits that multiprecision evaluations converge to; otherwise they state that they did not converge.
+/// The fewest digits with which a multiprecision evaluation states that it converged.
 inline constexpr double kDigitsPromised = 30;
 
-/// An integral that can be had to as many digits as asked, as far as its design goes.
+/// An integral that is computed to as many digits as asked, as far as its design allows.
 class ConvergingSum {
  public:
   virtual ~ConvergingSum() = default;
   /// The tensors to about `digits` digits each order (Hessians: entries i <= j), in the local unit of length.
   virtual Result<Mp200> at(double digits) = 0;
-  /// log10 of each order's norm, once `at` was called.
-  const std::array<double, 3>& norm() const { return norm_; }
-  /// Takes the norms, as far as digits go, from a sum that differs little: they need not be found.
-  void take_norm(const std::array<double, 3>& norm) {
-    norm_ = norm;
-    norm_is_known_ = true;
+  /// log10 of each order's norm. \pre `at` was called
+  const std::array<double, 3>& log10_norms() const { return log10_norms_; }
+  /// Takes over the norms of a similar sum, so that they need not be found.
+  void take_log10_norms(const std::array<double, 3>& norms) {
+    log10_norms_ = norms;
+    norms_are_known_ = true;
   }
   /// Kernel evaluations so far.
   std::size_t nodes() const { return nodes_; }
   /// Whether an order's tensor is not computed, because it would take too much work or cancels beyond 200 digits.
-  bool declines(int order) const { return norm_[order] == kDeclined; }
+  bool declines(int order) const { return log10_norms_[order] == kDeclined; }
 
  protected:
   /// The sum with an absolute error of about 10^log10_error[order].
@@ -75,14 +76,14 @@ class ConvergingSum {
     nodes_ += part.nodes;
   }
 
-  /// Whether sums over as many nodes more are more work than a query is worth; declines the highest order of those that
-  /// are left if so. Sums then leave it out: error_of is infinite.
+  /// Whether sums over that many more nodes are too much work for a query. If so, declines the highest order that is
+  /// left: sums then leave it out, and its error_of is infinite.
   bool too_much(double nodes);
-  /// Finds the norms, however much of the integrand's mass (log10, an order) cancels, if they are not known.
-  void find_norm(const std::array<double, 3>& mass, const SumWithError& with_error);
-  /// The absolute errors, log10, of that many digits.
+  /// Finds the norms if they are not known, however much of the integrand's mass cancels. \param log10_mass by order
+  void find_log10_norms(const std::array<double, 3>& log10_mass, const SumWithError& with_error);
+  /// log10 of the absolute errors that leave each order so many digits.
   std::array<double, 3> error_of(double digits) const {
-    return {norm_[0] - digits, norm_[1] - digits, norm_[2] - digits};
+    return {log10_norms_[0] - digits, log10_norms_[1] - digits, log10_norms_[2] - digits};
   }
 
   const Integrand& integrand_;
@@ -93,40 +94,41 @@ class ConvergingSum {
 
   std::tuple<std::vector<Mp50>, std::vector<Mp100>, std::vector<Mp200>> parameters_;
   std::size_t nodes_ = 0;
-  std::array<double, 3> norm_{};  ///< log10, an order
-  bool norm_is_known_ = false;
+  std::array<double, 3> log10_norms_{};  ///< by order
+  bool norms_are_known_ = false;
 };
 
-/// Sums of a query off the element, or moved off it.
+/// Sums for a point off the element, or moved off it.
 struct Answer {
   Result<Mp200> sums;
-  std::array<double, 3> digits{};  ///< on which two rules agree, an order
+  std::array<double, 3> digits{};  ///< by order: the digits on which two rules agree
   double aim = 0;                  ///< the digits that the better rule was asked for
 };
 
 /// Digits on which two tensors agree; `most` for equal ones.
 double agreement(const std::vector<Mp200>& a, const std::vector<Mp200>& b, double most);
 
-/// Two rules, the second 6 digits better by design, until they agree to `digits` or four attempts are spent.
+/// Computes a sum by two rules, the second 6 digits better by design, until they agree to `digits` or after four
+/// attempts.
 Answer converge(ConvergingSum& sum, double digits, int order);
 
 /// The data of a point on the element for the limit from inside.
 struct Inside {
   /// The sum after the point was moved inside by a distance, in the local unit of length.
   std::function<std::unique_ptr<ConvergingSum>(const Mp200& inward)> moved;
-  Mp200 clearance;                        ///< distance to the nearest part of the border that the point is not on
+  Mp200 clearance;                        ///< smallest distance above zero to a corner or an edge's line (OnTriangle)
   bool border = false;                    ///< whether the point is on the border
-  std::array<double, 3> log10_natural{};  ///< of an order's tensor: the size that its unit of length gives it
+  std::array<double, 3> log10_natural{};  ///< by order: the size that the unit of length gives a tensor
 };
 
 /// The limit from inside, extrapolated from distances far below the clearance: on the element's interior tensors are
-/// power series of the distance h, on its border there are terms h^p log h besides. An order has a limit if the
-/// extrapolations without and with the last terms agree, or are both next to nothing (the limit is zero); otherwise its
+/// power series of the distance h, on its border there are also terms h^p log h. An order has a limit if the
+/// extrapolations without and with the last terms agree, or are both negligible (the limit is zero); otherwise its
 /// tensor and digits are NaN.
 Answer limit_from_inside(const Inside& inside, double digits, int order);
 
-/// Digits, of all orders' tensors, that leave those wanted in entries within R's range where others leave it, as far as
-/// 200 digits can.
+/// The digits to ask for, kMostDigits at most, so that the entries within R's range keep `wanted` digits beside larger
+/// entries beyond that range.
 template <Scalar R>
 double digits_for(double wanted, const Answer& answer, const Result<R>& result, int order) {
   double needed = wanted;
@@ -136,13 +138,13 @@ double digits_for(double wanted, const Answer& answer, const Result<R>& result, 
 }
 
 /// Sets a multiprecision evaluation's result: tensors scaled back from units of 2^exponent, and what it states.
-/// \param integral the Answer to that many digits; asked again where these do not tell the entries within R's range
+/// \param integral gives the Answer to a number of digits; called again while entries within R's range need more
 template <Scalar R, class Integral>
 void set_answer(const Integrand& integrand, int exponent, double digits, int order, Integral integral,
                 Result<R>& result) {
   Answer answer = integral(digits);
   finish(integrand, exponent, answer.sums, result);
-  // A second time, because entries that were noise are smaller then.
+  // In a loop, because entries that were noise are smaller in the next answer, and may need more digits.
   for (double asked = digits, needed; asked < (needed = digits_for(digits, answer, result, order)); asked = needed) {
     const std::size_t nodes = answer.sums.nodes;
     answer = integral(needed);
@@ -158,7 +160,7 @@ void set_answer(const Integrand& integrand, int exponent, double digits, int ord
   result.converged = result.stated_digits >= kDigitsPromised;
 }
 
-/// Digits that the multiprecision evaluations aim at.
+/// The digits that multiprecision evaluations aim at.
 template <Scalar R>
 double digits_wanted() {
   return std::same_as<R, Mp100> || std::same_as<R, Mp200> ? 60 : kDigitsPromised;

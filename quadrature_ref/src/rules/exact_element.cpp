@@ -11,8 +11,8 @@ namespace {
 
 using certified::Real, certified::WorkingBits;
 
-// Exact numbers take as many bits. Up to the smaller number sums of products of four differences are exact in 200
-// digits, which ask for no memory.
+// Bits from the highest to the lowest of an input: the widest that is accepted, and the widest for which sums of
+// products of four differences are exact in Mp200, which takes no heap memory.
 constexpr long widest_spread = 100000, narrow_spread = Mp200::bits / 4 - 5;
 
 template <class T>
@@ -31,7 +31,7 @@ Vector<T> double_product(const Vector<T>& a, const Vector<T>& b, const Vector<T>
   return product;
 }
 
-// Rounds products of `degree` coordinates, in units of 2^exponent.
+// Rounds products of `degree` coordinates to Mp200, in units of 2^exponent.
 struct Rounded {
   int exponent;
 
@@ -74,7 +74,7 @@ long spread_of(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point) {
   return high > low ? high - low : 0;
 }
 
-// What `ask` finds in numbers that are exact for this input.
+// Returns ask<T>(), with numbers T that are exact for this input; nothing where none are.
 template <class Ask>
 auto exactly(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point, const Ask& ask)
     -> std::optional<decltype(ask.template operator()<Real>())> {
@@ -98,7 +98,7 @@ std::optional<ExactTriangle> exact_triangle(std::span<const Vec3<Mp200>> corners
     for (int i = 0; i < 3; ++i) normal[i] = between[0][i] + between[1][i] + between[2][i];
     ExactTriangle t;
     t.normal = rounded(normal, 2);
-    t.height = rounded(scalar_product(between[0], x[2]), 3);
+    t.volume = rounded(scalar_product(between[0], x[2]), 3);
     for (int k = 0; k < 3; ++k) {
       t.corners[k] = rounded(x[k], 1);
       t.edges[k] = rounded(edges[k], 1);
@@ -113,7 +113,7 @@ std::optional<ExactTriangle> exact_triangle(std::span<const Vec3<Mp200>> corners
 }
 
 std::optional<ExactSegment> exact_segment(std::span<const Vec3<Mp200>> ends, const Vec3<Mp200>& point, int exponent) {
-  // Third coordinates are not looked at.
+  // Third coordinates are ignored.
   const std::array flat{Vec3<Mp200>(ends[0][0], ends[0][1], Mp200(0)), Vec3<Mp200>(ends[1][0], ends[1][1], Mp200(0))};
   const Vec3<Mp200> eta(point[0], point[1], Mp200(0));
   return exactly(flat, eta, [&]<class T>() {
@@ -125,14 +125,14 @@ std::optional<ExactSegment> exact_segment(std::span<const Vec3<Mp200>> ends, con
   });
 }
 
-std::optional<std::array<Mp200, 4>> exact_heights(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point,
+std::optional<std::array<Mp200, 4>> exact_volumes(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point,
                                                   int exponent) {
   return exactly(corners, point, [&]<class T>() {
     const auto x = seen<T, 4>(corners, point);
-    std::array<Mp200, 4> heights;
+    std::array<Mp200, 4> volumes;
     for (int k = 0; k < 4; ++k)
-      heights[k] = Rounded{exponent}(scalar_product(x[k], vector_product(x[(k + 1) % 4], x[(k + 3) % 4])), 3);
-    return heights;
+      volumes[k] = Rounded{exponent}(scalar_product(x[k], vector_product(x[(k + 1) % 4], x[(k + 3) % 4])), 3);
+    return volumes;
   });
 }
 

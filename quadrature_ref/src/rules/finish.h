@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The last step of rules: they scale their sums, or answer where nothing can be summed.
+// The last step of rules: scaling their sums, or the answer for inputs that have none.
 #pragma once
 
 #include "power_of_two.h"
@@ -12,8 +12,8 @@
 
 namespace cageproof::quadrature_ref {
 
-/// Sets the nodes of a flat element as far as they are alike, and makes `count` of them; positions, basis functions and
-/// weights are left to the rule.
+/// Makes `count` nodes of a flat element, and sets their common members; the rule sets positions, basis functions and
+/// weights.
 template <Scalar R>
 void set_flat(std::vector<Node<R>>& nodes, std::size_t count, const Vec3<R>& normal, const R& height,
               const R& log_unit) {

@@ -24,8 +24,8 @@ struct Legendre {
   }
 };
 
-// The k-th root of P_n from 1 downwards, from Tricomi's estimate by Newton's method: each step doubles the digits, from
-// about eight to W's in six at most.
+// The k-th root of P_n from 1 downwards, by eight steps of Newton's method from Tricomi's estimate. Each step doubles
+// the digits; from about eight, six steps reach W's.
 template <class W>
 W root(int n, int k) {
   if (2 * k + 1 == n) return 0;
@@ -39,7 +39,7 @@ W root(int n, int k) {
   return x;
 }
 
-// Twice the digits, since recurrences lose some.
+// The type in which rules are computed: twice the digits, since recurrences lose some.
 template <Scalar R>
 using Working =
     std::conditional_t<std::same_as<R, Mp200>, Mp400, std::conditional_t<std::same_as<R, Mp100>, Mp200, Mp100>>;

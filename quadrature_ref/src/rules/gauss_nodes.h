@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Nodes and weights of the Gauss-Legendre rules that integrals are computed with. The forms that they prove take theirs
-// from core.
+// Nodes and weights of the Gauss-Legendre rules for the integrals of this room. The evaluations that are checked
+// against them take their nodes from core.
 #pragma once
 
 #include "cageproof/core/numbers/scalar.h"

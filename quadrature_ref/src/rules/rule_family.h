@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rules of each kind of element, as data: what becomes an evaluation when a kernel is registered.
+// The rules of each kind of element, as data. They become evaluations when a kernel is registered.
 #pragma once
 
 #include "cageproof/core/catalogue/counted_name.h"
@@ -47,8 +47,8 @@ struct RuleFamily {
       });
     return *this;
   }
-  /// The same of a rule that takes points one by one and has one member: `rule.template operator()<R>(integrand, query,
-  /// result)`.
+  /// Sets the functions of a rule that takes points one by one and has one member: `rule.template
+  /// operator()<R>(integrand, query, result)`.
   template <class Rule>
   RuleFamily& with_points(Rule rule) {
     for (const ScalarKind kind : scalar_kinds)

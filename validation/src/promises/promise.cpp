@@ -20,7 +20,7 @@ struct Row {
 
 constexpr std::optional<double> none = std::nullopt;
 
-// The names that recommended evaluations have, and kinds of coordinates that are no sums.
+// Names of recommended evaluations; `recommended` stands for kinds of coordinates that are not sums over faces.
 constexpr std::string_view recommended = "@(hybrid|closed_form|line_form|recommended)";
 
 // Bound for the maps that a deformer keeps exactly: 1e-13 of the size. Figures are divided by 1e-3 times the condition
@@ -35,11 +35,11 @@ constexpr std::string_view least_energy =
 constexpr std::string_view unit_normals =
     "unit normals do not grow with the cage, products of both stretches grow with its square";
 
-// Whole coordinates computed at once, and both.
+// The evaluation of whole cages at once, and all names that checks of cages may have.
 constexpr std::string_view batched = "batched";
 constexpr std::string_view of_cages = "@(hybrid|closed_form|line_form|recommended|batched)";
 
-// First match wins. Bounds of conditioned rows are in units of the rounding error times conditioning.
+// First match wins. The bound's unit is the check's: for `truth`, roundings times conditioning; see Question::unit.
 constexpr std::array table{
     // The gate: the closed form in multiprecision against the integral.
     Row{"integral", "*", "*", "*", "*", 0, 2, 1e-30, "30 digits, wherever the integral reaches them"},

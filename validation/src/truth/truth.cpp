@@ -45,7 +45,7 @@ std::vector<Mp100> difference(std::vector<Mp100> a, const std::vector<Mp100>& b)
   return a;
 }
 
-// Whether entries are infinite, with the same signs, or have no limit in both tensors alike.
+// Whether both tensors have infinities, with the same signs, and NaN in the same entries.
 bool same_limits(const std::vector<Mp100>& a, const std::vector<Mp100>& b) {
   for (std::size_t i = 0; i < a.size(); ++i)
     if (isnan(a[i]) != isnan(b[i]) || isfinite(a[i]) != isfinite(b[i]) || (isinf(a[i]) && a[i] != b[i])) return false;
@@ -75,7 +75,7 @@ void for_each_coordinate(const Formula& formula, QueryOf<R>& input, F&& f) {
       if (input.coordinate(vertex, axis) != 0) f(vertex, axis);
 }
 
-// On a face the function may jump: only moves that keep to its inner side are its own change.
+// Whether a moved point is outside the face. The function may jump there, so only moves to the inner side count.
 template <Scalar R>
 bool leaves_the_inner_side(const Formula& formula, const Query<R>& query) {
   std::vector<Vec3<Mp100>> corners;
@@ -109,9 +109,9 @@ void add_conditioning(const Evaluation& reference, const Sample& sample, int ord
   });
 }
 
-// On the border most moves of a single coordinate lead off the element, or to where no limit is. Those that keep the
-// point on the border: of a corner that is the point, together with it, of corners whose edges it is not on, and
-// scaling an axis as a whole. All are exact in 50 digits by a factor that has few bits.
+// On the border most moves of a single coordinate lead off the element, or to where no limit exists. Three kinds keep
+// the point on the border: moves of a corner and the point together where they coincide, moves of a corner whose basis
+// function is zero at the point, and scaling a whole axis. The factor has few bits, so that all are exact in 50 digits.
 template <Scalar R>
 void add_border_conditioning(const Evaluation& reference, const Sample& sample, int order, Truth& truth) {
   const Formula& formula = reference.formula();
@@ -139,9 +139,9 @@ void add_border_conditioning(const Evaluation& reference, const Sample& sample, 
   }
 }
 
-// How far a point may go until a value's change is no longer as its gradient says: |f'|/|f''|, or, where the gradient
-// vanishes, sqrt(|f|/|f''|). Not |f|/|f'|, which is nothing in a plane where f vanishes. The input's extent where f is
-// linear.
+// How far a point may move while the gradient still predicts a value's change: the larger of |f'|/|f''| and
+// sqrt(|f|/|f''|), where the gradient may vanish. |f|/|f'| would be zero in a plane where f vanishes. Where f is
+// linear, the input's extent.
 Mp50 reach_of(const Result<Mp50>& base, const Sample& sample) {
   std::array<Mp50, 3> size;
   for (int o = 0; o <= 2; ++o) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Zeros of the quartic |a x e|^2 in the line: the factor that remains next to a known one, and all zeros, near or far.
+// The zeros of the quartic |a x e|^2 in the line: the factor that remains next to a known one, and all zeros, near or
+// far.
 #pragma once
 
 #include <algorithm>

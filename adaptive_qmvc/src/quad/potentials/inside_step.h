@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points on a quad: whether a point is on it, which limits exist there, and the points next to it at which limits from
-// inside are computed.
+// Decides whether a point is on a quad, which limits exist there, and at which points next to it limits from inside are
+// computed.
 #pragma once
 
 #include "quad/mean_value/line_form/line_form.h"

@@ -19,8 +19,8 @@ struct Explanation {
   bool is_the_value = true;
   std::size_t entry = 0;
   double value = 0;            ///< the closed form's
-  double counted = 0;          ///< what the operations gave
-  Mp200 exact;                 ///< what they would have given without roundings, along the same branches
+  double counted = 0;          ///< the result of the operations
+  Mp200 exact;                 ///< their result without roundings, along the same branches
   std::size_t operations = 0;  ///< all that were recorded, also those that the entry does not depend on
   /// In the entry's unit; see CountedLine. Empty where there was nothing to count.
   std::vector<CountedLine> lines;
@@ -47,7 +47,7 @@ Explanation explain(const Formula& formula, std::string_view evaluation, const Q
 
 /// The evaluations of a formula that explain() knows, by name.
 std::vector<std::string_view> explained_evaluations(std::string_view formula);
-/// The formulas of which it knows this evaluation, by name.
+/// The formulas whose evaluation of this name explain() knows, by name.
 std::vector<std::string_view> explained_formulas(std::string_view evaluation);
 
 /// Fills what an explanation says of one entry. \param counted the tensor's entries in the unit that they were computed
@@ -55,7 +55,7 @@ std::vector<std::string_view> explained_formulas(std::string_view evaluation);
 void choose(Explanation& explanation, const CountedTape& tape, std::span<const Counted> counted, int exponent,
             std::span<const double> values, std::optional<std::size_t> entry);
 
-/// The same where nothing in double was run.
+/// Fills what an explanation says of an entry where nothing was computed in double. \param values, entry as above
 void choose_none(Explanation& explanation, std::span<const double> values, std::optional<std::size_t> entry);
 
 /// A member or a variable that lives as long as the program. \param formula and evaluation live as long

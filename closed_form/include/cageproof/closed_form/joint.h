@@ -53,8 +53,8 @@ struct Scalars {
   }
 };
 
-/// How one closed form puts its tensors up to order O at a point. `At<R, O>` is what the formulas of the element kind
-/// share there.
+/// A function that puts the tensors of one closed form up to order O at a point. `At<R, O>` has the data that formulas
+/// of the element kind share there.
 template <class At, Scalar R>
 using PutAt = void (*)(At& at, std::span<const R> parameters, bool finite_part, std::size_t point,
                        const BatchOutput<R>& output);

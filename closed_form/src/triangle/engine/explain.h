@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A triangle's closed form in numbers that count: the near form in double, and how far up the ladder its bound sent the
-// evaluation.
+// A triangle's closed form in Counted numbers: the near form in double, and the rung of the ladder to which its bound
+// sent the evaluation.
 #pragma once
 
 #include "../../explain/rung.h"

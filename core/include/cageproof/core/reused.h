@@ -10,8 +10,8 @@
 
 namespace cageproof {
 
-/// As many of a kind as are in use at once. Not a thread's own: a thread that waits within a task may begin another
-/// one. Safe from any thread.
+/// Objects that are lent and given back: as many exist as were in use at once. They do not belong to threads, because a
+/// thread that waits within a task may begin another task. Safe from any thread.
 template <class T>
 class Reused {
  public:
@@ -32,7 +32,7 @@ class Reused {
   Held taken() {
     const std::lock_guard lock(mutex_);
     if (free_.empty()) {
-      // So that giving one back takes no memory, of which there may be none then.
+      // Reserved here, because giving an object back must not need memory: there may be none left then.
       free_.reserve(++made_);
       return Held(*this, std::make_unique<T>());
     }

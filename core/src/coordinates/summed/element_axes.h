@@ -9,8 +9,8 @@
 
 namespace cageproof {
 
-/// Axes of a segment or triangle: one along its first edge, one to the left of that edge (in the triangle's plane, or
-/// in the plane of the segment's polygon), and, for a triangle, its normal.
+/// The axes of a segment or triangle. One is along its first edge, one to the left of that edge (in the triangle's
+/// plane, or in the plane of the segment's polygon), and, for a triangle, its normal.
 template <Scalar R>
 class ElementAxes {
  public:

@@ -12,8 +12,9 @@ namespace {
 using Number = Mp200;
 using Corners3 = std::vector<Vec3<Number>>;
 
-// Distances over the shortest edge: those below the first are made larger. From a vertex, an edge and a face, each so
-// much less than the one before that what is nearer is all that counts, and no more than 1e-20 of a derivative is lost.
+// Distances over the shortest edge. Those below kTooNear are made larger. The distances from a vertex, an edge and a
+// face each are so much less than the one before that only the nearest counts, and at most 1e-20 of a derivative is
+// lost.
 const Number kTooNear("1e-60"), kFromVertex("1e-20"), kFromEdge("1e-40"), kFromFace("1e-60"), kApart("1e-20");
 
 Number length_of(const Vec3<Number>& x) { return sqrt(Number(x.dot(x))); }

@@ -50,7 +50,7 @@ struct Summands {
     return output;
   }
 
-  // From the unit 2^-exponent.
+  // Converts the rows of point p from the unit 2^-exponent to the cage's own.
   template <Scalar R>
   void to_own_unit(std::size_t p, int order, std::span<CoordinateTable<R>> tables, int exponent) const {
     using std::ldexp;
@@ -103,7 +103,7 @@ struct Summands {
     };
   }
 
-  // Cages whose largest coordinate has an exponent of at most that size are summed in their own unit.
+  // Cages whose largest coordinate has an exponent of at most this magnitude are summed in their own unit.
   template <Scalar R>
   static constexpr int kComfortable = std::same_as<R, float> ? 40 : 300;
 

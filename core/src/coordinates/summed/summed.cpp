@@ -67,7 +67,8 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
     put_limits(sum_, places, order, tables);
   }
 
-  // One a corner of each element. What is not finite, as derivatives at points on the cage, is no term.
+  // There is one term per corner of each element. Numbers that are not finite, such as derivatives at points on the
+  // cage, are left out.
   void fill_terms(std::span<const Vec3<double>> points, int order,
                   std::span<CoordinateTable<double>> tables) const override {
     std::array<Vec3<double>, 4> storage;
@@ -176,7 +177,8 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
     for (std::size_t p = 0; p < points.size(); ++p) sum_.finish_sums(first + p, order, tables, exponent);
   }
 
-  // The unit's exponent where weights would overflow: at the least distance, second derivatives do not then.
+  // The exponent of the size to which cages are scaled where weights would overflow: second derivatives at the least
+  // distance then do not.
   template <Scalar R>
   static constexpr int kSmallUnit = std::same_as<R, float> ? 100 : 800;
 

@@ -36,7 +36,7 @@ struct Pose {
   /// element, of each corner of each element where they are affine, or, of quads that are kept, of each corner of a
   /// quad and each triangle, along the unit normal there; empty for those.
   std::vector<Vec3<R>> normal_derivatives = {};
-  /// Densities for methods that take them: of the Laplacian at each vertex, and of its normal derivative on each
+  /// The densities of methods that take them, of the Laplacian at each vertex, and of its normal derivative on each
   /// element (L' and D' of [T24] Eq 19); empty for zeros.
   std::vector<Vec3<R>> laplacians = {}, laplacian_derivatives = {};
 };
@@ -94,8 +94,8 @@ struct DeformOptions {
   Triangulation triangulation = Triangulation::Shortest;
   /// In the order of parameters_of(method); those left out at the end take defaults.
   std::vector<double> parameters = {};
-  /// Names of parameters that will have other values: coordinates are prepared so that they serve all of these, where
-  /// the method can, and may take twice as long.
+  /// The parameters that will have other values. Coordinates are prepared so that they serve all of these, where the
+  /// method can, and may take twice as long.
   std::vector<std::string_view> varied = {};
 };
 

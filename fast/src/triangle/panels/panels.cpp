@@ -26,7 +26,7 @@ struct LeastEllipses {
   }
 };
 
-// \return kMostOnEdge + 1 where these are not enough
+// The points per side that suffice; kMostOnEdge + 1 where kMostOnEdge do not.
 int points_for(double rho, int steepness) {
   constexpr int kSteepnesses = 9;
   static const std::array<LeastEllipses, kSteepnesses> table = []<std::size_t... S>(std::index_sequence<S...>) {
@@ -85,7 +85,7 @@ class Cutter {
       if (across <= kCutAbove || across * along <= kCutAbove * kCutAbove) return add(piece, seen, across, along);
     }
     if (depth == 0 && !is_hopeful(seen.distance)) return false;
-    // The panels to come take so many at least.
+    // Each further panel takes at least kLeast points.
     constexpr int kLeast = 32, kDeepest = 48;
     if (depth == kDeepest || points_ + kLeast > wanted_.points) return false;
     points_ += kLeast;
@@ -197,7 +197,7 @@ struct CollapsedRule {
   }
 };
 
-// Made when first asked for, and kept.
+// The rule with `across` x `along` points, made when first asked for, and kept.
 PanelRule collapsed_rule(int across, int along) {
   using Slot = std::atomic<const CollapsedRule*>;
   static std::array<std::array<Slot, kMostOnEdge + 1>, kMostOnEdge + 1> rules;

@@ -17,8 +17,8 @@ struct CageQuestion {
   std::vector<Vec3<double>> points;
 };
 
-/// Values of coordinates, [point][coordinate]: first those of all vertices, then those of all faces, for kinds that
-/// have them. Empty where it gives none.
+/// Returns coordinates, [point][coordinate]: first those of all vertices, then those of all faces, for kinds that have
+/// these. Empty where the function gives none.
 using WholeCageFunction = std::function<std::vector<double>(const CageQuestion&)>;
 
 /// One defect of whole cages, with a question that shows it.

@@ -26,7 +26,7 @@ struct Node {
   Vec3<R> normal = Vec3<R>::Zero();  ///< of the element at xi: of unit length on flat elements
   R height{};    ///< x . normal, stated by the rule: a dot product loses it next to the element's plane or line
   R weight{};    ///< of the rule, with the length or area element on flat elements
-  R log_unit{};  ///< natural logarithm of the rule's unit of length: what log |x| lacks of the distance's own logarithm
+  R log_unit{};  ///< natural logarithm of the rule's unit of length; added to log |x|, it gives that of the distance
 };
 
 /// A request to a kernel, the same at all nodes.

@@ -106,7 +106,7 @@ std::shared_ptr<const KernelSet> scalar_kernels() {
   return kernels;
 }
 
-/// The same for a definition with parameters: `parametric_kernels<PolyharmonicSingleLayer, 2>()`.
+/// The kernels of a definition with parameters: `parametric_kernels<PolyharmonicSingleLayer, 2>()`.
 template <template <class> class Definition, int... Dims>
 std::shared_ptr<const KernelSet> parametric_kernels() {
   auto kernels = std::make_shared<KernelSet>();

@@ -15,8 +15,8 @@ struct QuadEnclosure {
   std::size_t nodes = 0;
 };
 
-/// At the working_bits (docs/certified.md). Nothing where the point is on the quad, or too close to it, of a quad whose
-/// normals vanish all over it, of an input that is not finite, and where work_left would not suffice.
+/// The enclosure at the working_bits (docs/certified.md). Nothing where the point is on the quad, or too close to it,
+/// of a quad whose normals vanish all over it, of an input that is not finite, and where work_left would not suffice.
 ///
 /// \param goal truncation error wanted, in bits below the largest contribution: a wish; what was reached is in the
 /// radii \param work_left CertifiedEffort::most_work's unit; what is spent is taken off \throws std::out_of_range when

@@ -8,7 +8,7 @@
 
 namespace cageproof::quadrature_ref::certified {
 
-/// Bounds for a line's integrals: how far the line's points are from the point, over a whole disc of complex v.
+/// The bounds for a line's integrals: how far the line's points are from the point, over a whole disc of complex v.
 struct LineBounds {
   Real nearest;   ///< lower bound of |x| on the line in the disc's middle
   Real farthest;  ///< upper bound there
@@ -37,7 +37,7 @@ class QuadIntegrand {
  private:
   struct Term {
     int x;       // place of its product of coordinates
-    int q, y;    // place of what it is integrated with
+    int q, y;    // place of the other factor of the integrand
     int degree;  // of the product of coordinates
     int factor, constant;
     QuadFactor with;

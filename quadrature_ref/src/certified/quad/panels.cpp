@@ -13,7 +13,7 @@ constexpr int deepest = 450;          // bisections
 constexpr double least_reach = 1.25;  // semi-major axis over half: rho is two
 constexpr double planning_cost = 60;  // of a stretch
 
-// As an exact ball; zero where there is none above.
+// A lower bound of a as an exact ball; zero unless it is positive.
 Real lower_bound(const Real& a) {
   Real c;
   arb_get_lbound_arf(arb_midref(c.raw()), a.raw(), MAG_BITS);
@@ -60,7 +60,7 @@ class Planner {
       : quad_(quad), integrand_(integrand), goal_(goal), work_left_(work_left) {
     const WorkingBits planning(planning_bits);
     for (int o = 0; o < integrand.orders(); ++o) scale_.push_back(-HUGE_VAL);
-    // W = across[1] - across[0] is what lines' directions change by.
+    // W = across[1] - across[0] is the change of the lines' directions.
     const Vector twist = minus(quad.across[1], quad.across[0]);
     twist_ = root_above(dot(twist, twist));
   }

@@ -27,7 +27,7 @@ struct SegmentFrame {
   int side = 0;                    ///< the sign of s on the line beyond the ends
 };
 
-/// At working_bits, all signs exactly; third coordinates are not looked at. Nothing for a segment without length, an
+/// The frame at working_bits, with exact signs; third coordinates are ignored. Nothing for a segment without length, an
 /// input that is not finite, or one whose coordinates spread over more than 2^20000.
 template <Scalar R>
 std::optional<SegmentFrame> segment_frame_of(const Query<R>& query);

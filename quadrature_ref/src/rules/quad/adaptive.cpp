@@ -99,7 +99,7 @@ void AdaptiveQuad::update() {
     }
     size_[o] = norm(total_.of(o));
     if (mass == 0) continue;
-    // A node's position is off by a few roundings, its kernel by about ten times as many.
+    // A node's position has an error of a few roundings, its kernel about ten times as much.
     const double rounding = 256 * unit_roundoff<double>() * mass / size_[o], bound = error_[o] / size_[o] + rounding;
     rounding_ = std::max(rounding_, rounding);
     if (!(bound <= bound_)) bound_ = std::isfinite(bound) ? bound : std::numeric_limits<double>::infinity();
@@ -109,7 +109,7 @@ void AdaptiveQuad::update() {
 
 bool AdaptiveQuad::refine(const std::vector<PlannedCell>& cells, double tolerance) {
   for (const PlannedCell& cell : cells) {
-    // A plan of so many cells would not end in time; what is left out leaves no bound.
+    // A plan of so many cells would not end in time; without the cells left out there is no bound.
     if (nodes_ > kAdaptiveNodeLimit * 3 / 4) return update(), bound_ = std::numeric_limits<double>::infinity(), false;
     integrate(parts_.emplace_back(Part{cell}));
   }
@@ -135,7 +135,7 @@ bool AdaptiveQuad::refine(const std::vector<PlannedCell>& cells, double toleranc
       integrate(half);
       parts_.push_back(std::move(half));
     }
-    if (parts_.size() == count) return false;  // what is left is rounding
+    if (parts_.size() == count) return false;  // the rest is rounding
   }
 }
 

@@ -78,7 +78,7 @@ bool is_within_plane(const SeenQuad& q, const RealVector& normal) {
     constant = scalar_product(normal, vector_product(q.p[0], q.a));
     discriminant = linear * linear - square * constant * 4;
   }
-  // Where all three vanish, the point is on the lines of all rows, and on none without being on a side.
+  // Where all three vanish, the point is on the lines of all rows; if it is on the quad, it is then also on a side.
   if (sign_of(discriminant) < 0 || (sign_of(square) == 0 && sign_of(linear) == 0)) return false;
   for (slong bits = 128; bits <= most_bits; bits *= 2) {
     const WorkingBits rounded(bits);

@@ -16,7 +16,7 @@ constexpr double kBudget = 3e6, kBudgetForMore = 5 * kBudget;
 // The digits that a sum falls back to where more cost too much.
 constexpr double kFewDigits = 12;
 
-// The natural size of an order's tensor: extent^(degree - order) times the measure, of which the degree has part.
+// The natural size of an order's tensor: the longest edge to the power degree - order.
 double log10_natural(const Formula& formula, const QuadFrame<Mp200>& q, int order) {
   Mp200 longest = 0;
   for (const auto& edge : q.edges) longest = std::max<Mp200>(longest, length(edge));
@@ -54,7 +54,7 @@ void quad::integrate_multiprecision(const Integrand& integrand, const Query<R>& 
   if (!q) return fill_not_a_number(result);
   const ClosestPoint c = closest_point(*q);
   const bool on_quad = is_on_quad(*q, c);
-  // Weights diverge there, and what lies near the quad without lying on it is nearer than sums resolve.
+  // Diverging weights have no values on the quad. Points that only seem to be on it are nearer than sums resolve.
   const OnQuad inside = on_quad ? inside_quad(*q, c) : OnQuad{};
   if (on_quad && (integrand.formula.face_jump.diverges || !inside.yes || !lies_on_quad(exact.query))) {
     fill_not_a_number(result);
@@ -66,7 +66,7 @@ void quad::integrate_multiprecision(const Integrand& integrand, const Query<R>& 
     if (asked > digits) continue;
     try {
       Answer found;
-      // More digits than those asked for are worth a try, no more.
+      // More digits than asked are tried, but may fail.
       const auto as_many = [&](double more) {
         try {
           found = integral(integrand, *q, c, inside, exact.query, more);

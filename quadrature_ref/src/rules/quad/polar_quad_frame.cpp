@@ -27,7 +27,7 @@ PolarQuadFrame<Mp200> polar_quad_frame(const QuadFrame<Mp200>& q, const Mp200& u
     if (square > 0) {
       foot = -dot(to_start, s.edge) / square;
       eps = length(Vec3<Mp200>(to_start + s.edge * foot)) / sqrt(square);
-      // A foot far beyond the edge's ends concentrates nothing, and its sinh would only cancel.
+      // Near a foot far beyond the edge's ends there are no points to concentrate, and its sinh would only cancel.
       const Mp200 beyond = foot < 0 ? Mp200(-foot) : foot > 1 ? Mp200(foot - 1) : Mp200(0);
       if (beyond > 1) {
         foot = foot < 0 ? Mp200(-1) : Mp200(2);

@@ -49,7 +49,7 @@ struct QuadFrame : LocalCorners<R, 4> {
   Vec3<R> at(const R& u, const R& v) const { return this->corners[0] + this->edges[0] * u + along_v(u) * v; }
 };
 
-/// Nothing for a quad whose normal vanishes everywhere or an input that is not finite.
+/// The frame; nothing for a quad whose normal vanishes everywhere or an input that is not finite.
 template <Scalar R>
 std::optional<QuadFrame<R>> quad_frame(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
   QuadFrame<R> q;
@@ -60,9 +60,9 @@ std::optional<QuadFrame<R>> quad_frame(std::span<const Vec3<R>> corners, const V
       vanishes(q.edges[3].cross(q.twist)))
     return std::nullopt;
   if constexpr (std::same_as<R, Mp200>) {
-    const auto heights = exact_heights(corners, point, q.exponent);
-    if (!heights) return std::nullopt;
-    q.heights = *heights;
+    const auto volumes = exact_volumes(corners, point, q.exponent);
+    if (!volumes) return std::nullopt;
+    q.heights = *volumes;
   }
   return q;
 }

@@ -26,8 +26,8 @@ QuadSum::QuadSum(const Integrand& integrand, const QuadFrame<Mp200>& q, const Cl
   mass.fill(kNoMass);
   for (const auto& of_cell : cuts_[0].mass)
     for (int o = 0; o <= order_; ++o) mass[o] = std::max(mass[o], of_cell[o]);
-  find_norm(mass, [&](const auto& error) { return with_error(cuts_[0], error); });
-  // Rather than half of it.
+  find_log10_norms(mass, [&](const auto& error) { return with_error(cuts_[0], error); });
+  // Thrown here, before half of the work is spent.
   std::vector<Rule> rules;
   if (plan(cuts_[0], error_of(digits), rules) + plan(cuts_[1], error_of(digits), rules) > budget_) throw TooCostly{};
 }
@@ -36,7 +36,7 @@ QuadSum::Cut QuadSum::cut(PolarQuadFrame<Mp200> frame, double digits, double lon
   Cut c{std::move(frame), {}, {}, {}, {}};
   c.frame50 = convert<Mp50>(c.frame200);
   c.frame100 = convert<Mp100>(c.frame200);
-  // A cell has at least about so many points for each direction and digit.
+  // A cell has at least about this many points per direction and digit.
   constexpr double kPointsADigit = 0.7;
   const double of_cell = (1 + order_) * std::pow(kPointsADigit * digits, 2);
   const auto most = static_cast<std::size_t>(budget_ / of_cell);

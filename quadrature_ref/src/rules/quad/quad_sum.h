@@ -12,8 +12,8 @@ struct TooCostly {};
 
 class QuadSum final : public ConvergingSum {
  public:
-  /// \param c the quad's point nearest to eta \param digits that will be asked for, about \param budget of all sums
-  /// together, in values in 50 digits \throws TooCostly
+  /// \param c the quad's point nearest to eta \param digits about those that will be asked for \param budget the cost
+  /// of all sums together, in values in 50 digits \throws TooCostly
   QuadSum(const Integrand& integrand, const QuadFrame<Mp200>& q, const ClosestPoint& c, const Query<Mp200>& query,
           double digits, double budget);
   /// Alternates between two centres and cuts, so that comparing two sums tests both. \throws TooCostly
@@ -36,7 +36,7 @@ class QuadSum final : public ConvergingSum {
     double digits = 0;
     QuadPoints points{};
   };
-  /// The rules for an absolute error of about 10^log10_error[order], and what they cost. \throws TooCostly
+  /// Sets the rules for an absolute error of about 10^log10_error[order]. \return their cost \throws TooCostly
   double plan(const Cut& cut, const std::array<double, 3>& log10_error, std::vector<Rule>& rules) const;
   /// The sum with that error. \throws TooCostly before anything is summed
   Result<Mp200> with_error(const Cut& cut, const std::array<double, 3>& log10_error);

@@ -9,7 +9,7 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-/// w in [lo, lo + length] on an arm, and what was integrated over it.
+/// w in [lo, lo + length] on an arm, and the integral over it.
 template <Scalar W>
 struct Interval {
   int arm;

@@ -49,7 +49,7 @@ std::array<W, 3> ArmCaster<W>::sample(int arm, const W& w, const W& dw, Result<W
   set_node(arm, w, dw, node);
   integrand_.reset(tensors, task_.order);
   kernel_.accumulate({&node, 1}, task_, tensors);
-  // The logarithm of the unit, one larger, adds what stands in front of the logarithm.
+  // With the unit's logarithm one larger, the kernel grows by the factor of the logarithm.
   node.log_unit += 1;
   integrand_.reset(shifted_, task_.order);
   kernel_.accumulate({&node, 1}, task_, shifted_);

@@ -8,7 +8,7 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-// The frame of a point; one on the segment is moved inside by kInward. Nothing without geometry.
+// The frame of a point; a point on the segment is moved inside by kInward. Nothing for degenerate segments.
 std::optional<ArmFrame<Mp200>> arm_frame_moved_inward(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point) {
   const auto s = segment_frame(corners, point);
   if (!s) return std::nullopt;

@@ -9,7 +9,7 @@
 
 namespace cageproof::quadrature_ref {
 
-/// Ends v_k - eta and the edge v_1 - v_0, and what follows from them.
+/// A segment as eta sees it: ends v_k - eta, the edge v_1 - v_0, and numbers derived from these.
 template <Scalar R>
 struct SegmentFrame : LocalCorners<R, 2, 1> {
   Vec3<R> normal;  ///< unit, outward: to the right of v_0 -> v_1
@@ -18,7 +18,7 @@ struct SegmentFrame : LocalCorners<R, 2, 1> {
   R start, end;    ///< where along the edge the ends are, seen from the point's projection
 };
 
-/// Nothing for a segment without length or an input that is not finite.
+/// The frame; nothing for a segment without length or an input that is not finite.
 template <Scalar R>
 std::optional<SegmentFrame<R>> segment_frame(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
   SegmentFrame<R> s;

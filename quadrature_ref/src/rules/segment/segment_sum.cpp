@@ -65,7 +65,7 @@ void SegmentSum::scout(double digits) {
   mass.fill(kNoMass);
   for (const auto& of_panel : cuts_[0].mass)
     for (int o = 0; o <= order_; ++o) mass[o] = std::max(mass[o], of_panel[o]);
-  find_norm(mass, [&](const auto& error) { return with_error(cuts_[0], error); });
+  find_log10_norms(mass, [&](const auto& error) { return with_error(cuts_[0], error); });
 }
 
 Result<Mp200> SegmentSum::at(double digits) {

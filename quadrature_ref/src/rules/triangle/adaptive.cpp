@@ -11,7 +11,7 @@ namespace cageproof::quadrature_ref {
 namespace {
 
 /// t in [t_lo, t_lo + t_length] of an edge, w from the disc to the edge in fractions [lower, upper]; edge -1: a ring of
-/// the disc, w in fractions of its end. And what was integrated over it.
+/// the disc, w in fractions of its end. With the integral over it.
 template <Scalar W>
 struct Rectangle {
   int edge;
@@ -41,7 +41,7 @@ class AdaptiveSum {
  private:
   static W longest_edge(const PolarFrame<W>& frame) {
     W longest = 0;
-    for (const PolarEdge<W>& edge : frame.edges) longest = std::max<W>(longest, 2 * edge.a / edge.reach);
+    for (const PolarEdge<W>& edge : frame.edges) longest = std::max<W>(longest, 2 * edge.a / edge.relative_height);
     return longest;
   }
   void reset(Result<W>& sums) const { integrand_.reset(sums, order_); }

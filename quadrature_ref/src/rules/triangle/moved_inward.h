@@ -7,7 +7,8 @@
 
 namespace cageproof::quadrature_ref {
 
-/// The frame of a point; one on the triangle is moved inside by kInward. Nothing without geometry.
+/// The frame of a point; a point on the triangle is moved inside by kInward times its clearance. Nothing for degenerate
+/// triangles.
 inline std::optional<PolarFrame<Mp200>> frame_moved_inward(std::span<const Vec3<Mp200>> corners,
                                                            const Vec3<Mp200>& point) {
   const auto t = lined_triangle(corners, point);

@@ -7,7 +7,7 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-// The natural size of an order's tensor: area times length^(degree - 2 - order).
+// The natural size of an order's tensor: twice the area times length^(degree - 2 - order).
 double log10_natural(const Formula& formula, const TriangleFrame<Mp200>& t, int order) {
   Mp200 longest = 0;
   for (const auto& edge : t.edges) longest = std::max(longest, length(edge));

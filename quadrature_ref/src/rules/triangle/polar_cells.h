@@ -2,8 +2,8 @@
 // The triangle cut into cells of polar coordinates, on each of which the integrand is smooth; and the product rule on a
 // cell.
 //
-// Radius tau = distance sinh w. Where c is off the edges, the largest disc around it comes apart: on circles r is
-// constant and the integrand a trigonometric polynomial, which the trapezoidal rule integrates exactly.
+// Radius tau = distance sinh w. Where c is off the edges, the largest disc around it is a cell of its own: on circles r
+// is constant and the integrand a trigonometric polynomial, which the trapezoidal rule integrates exactly.
 #pragma once
 
 #include "../finish.h"
@@ -12,7 +12,8 @@
 
 namespace cageproof::quadrature_ref {
 
-/// t = v - v0 in [t_lo, t_hi] and w between fixed ends, or in fractions of the way from w_lo to the edge.
+/// A range of directions, t = v - v0 in [t_lo, t_hi], and of radii, tau = distance sinh w: w between fixed ends, or
+/// between fractions of the way from w_lo to the edge.
 struct PolarCell {
   int edge = 0;  ///< -1: a ring of the disc, all directions
   double t_lo = 0, t_hi = 0;

@@ -103,7 +103,7 @@ std::optional<LinedTriangle> lined_triangle(std::span<const Vec3<R>> corners, co
   t.twice_area = length(exact->normal);
   if (!(t.twice_area > 0)) return std::nullopt;
   t.normal = exact->normal / t.twice_area;
-  t.height = exact->height / t.twice_area;
+  t.height = exact->volume / t.twice_area;
   t.corners = exact->corners;
   t.edges = exact->edges;
   for (int k = 0; k < 3; ++k) {
@@ -163,7 +163,7 @@ PolarFrame<R> polar_frame(const LinedTriangle& t, const R& inward) {
     edge.v0 = inverse_sinh(R(seen.start / edge.a));
     edge.v_length = inverse_sinh(R(seen.end / edge.a)) - edge.v0;
     edge.start = k;
-    edge.reach = 2 * edge.a / line.length;
+    edge.relative_height = 2 * edge.a / line.length;
     const R line_distance = sqrt(line.inside * line.inside + frame.height * frame.height);
     edge.singular = singular_points(edge.a, frame.distance, seen.along, line_distance, static_cast<double>(edge.v0));
     frame.edges.push_back(std::move(edge));

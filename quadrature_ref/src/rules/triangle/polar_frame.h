@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A triangle in polar coordinates about its point nearest to eta.
 //
-// With c that nearest point, the triangle is the disjoint union of the triangles (c, v_k, v_{k+1}) over the edges that
-// do not contain c. In each, with v = v0 + t:
-//   direction e = (nu + u sinh v)/cosh v, radius 0 <= tau <= a cosh v, x = (c - eta) + tau e, dA = tau dtau dt / cosh
-//   v.
+// eta is the point, c the triangle's point nearest to it, and p_k are the corners. The triangle is the disjoint union
+// of the triangles (c, p_k, p_{k+1}) over the edges that do not contain c. In each, with v = v0 + t:
+//   direction e = (nu + u sinh v)/cosh v, radius 0 <= tau <= a cosh v, x = (c - eta) + tau e,
+//   dA = tau dtau dt/cosh v.
 // As (c - eta).e >= 0, r^2 = tau^2 + 2 tau (c - eta).e + distance^2 has no cancellation.
 #pragma once
 
@@ -21,8 +21,8 @@ struct PolarEdge {
   R a;                     ///< distance from c to the edge's line, > 0
   R v0, v_length;          ///< v = asinh(s/a) at the start and its growth to the end, s the arc length from c's foot
   int start;               ///< the corner at t = 0
-  R reach;                 ///< 2 a / length: hat functions at the edge are 1 - f, f, 0 from the start corner on,
-                           ///< f = reach cosh(v0 + t/2) sinh(t/2)
+  R relative_height;       ///< 2 a / length: hat functions at the edge are 1 - f, f, 0 from the start corner on,
+                           ///< f = relative_height cosh(v0 + t/2) sinh(t/2)
   Singularities singular;  ///< of the integrand as a function of t = v - v0
 };
 
@@ -52,14 +52,14 @@ struct LinedTriangle : TriangleFrame<Mp200> {
   std::array<EdgeLine, 3> lines;
 };
 
-/// Nothing for a triangle without area or an input that is not finite.
+/// The triangle; nothing if it has no area or the input is not finite.
 std::optional<LinedTriangle> lined_triangle(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point);
 
-/// Where a point exactly on the triangle sits.
+/// Whether a point is exactly on the triangle, and where.
 struct OnTriangle {
   bool yes = false;
   bool border = false;  ///< on an edge or a corner
-  Mp200 clearance = 0;  ///< smallest distance that is not zero to an edge's line or a corner
+  Mp200 clearance = 0;  ///< smallest distance above zero to a corner or an edge's line
 };
 
 OnTriangle on_triangle(const LinedTriangle& t);
@@ -91,7 +91,7 @@ PolarFrame<To> convert(const PolarFrame<Mp200>& from) {
     e.v0 = static_cast<To>(edge.v0);
     e.v_length = static_cast<To>(edge.v_length);
     e.start = edge.start;
-    e.reach = static_cast<To>(edge.reach);
+    e.relative_height = static_cast<To>(edge.relative_height);
     e.singular = edge.singular;
   }
   return to;

@@ -4,6 +4,7 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
+// The ends of a cell's range of w, tau = distance sinh w, on a ray that meets the edge at w_edge.
 template <Scalar W>
 void w_range(const PolarCell& cell, const W& w_edge, W& w_lo, W& w_hi) {
   if (cell.reaches_edge) {
@@ -42,12 +43,12 @@ W RayCaster<W>::aim(const PolarEdge<W>& edge, const W& t, W& cosh_v) {
   sinh_cosh(W(edge.v0 + t), sinh_v, cosh_v);
   for (int i = 0; i < 3; ++i) direction_[i] = (edge.nu[i] + edge.u[i] * sinh_v) / cosh_v;
   const W radius = edge.a * cosh_v;
-  // Hat functions between their values at c and at the edge: their slopes across a thin triangle would cancel.
+  // Slopes of the hat functions, from their values at c and at the edge: gradients over a thin triangle would cancel.
   const W half = t / 2;
   sinh_cosh(half, sinh_half, cosh_half);
   W sinh_middle, cosh_middle;
   sinh_cosh(W(edge.v0 + half), sinh_middle, cosh_middle);
-  const W fraction = edge.reach * cosh_middle * sinh_half;
+  const W fraction = edge.relative_height * cosh_middle * sinh_half;
   const int first = edge.start, second = (first + 1) % 3, third = (first + 2) % 3;
   slope_[first] = (1 - fraction - frame_.hat[first]) / radius;
   slope_[second] = (fraction - frame_.hat[second]) / radius;

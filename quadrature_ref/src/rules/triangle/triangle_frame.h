@@ -8,7 +8,7 @@
 
 namespace cageproof::quadrature_ref {
 
-/// Corners v_k - eta and edges v_{k+1} - v_k, and what follows from them.
+/// A triangle as eta sees it: corners v_k - eta, edges v_{k+1} - v_k, and numbers derived from these.
 template <Scalar R>
 struct TriangleFrame : LocalCorners<R, 3> {
   Vec3<R> normal;  ///< unit, outward
@@ -16,7 +16,7 @@ struct TriangleFrame : LocalCorners<R, 3> {
   R twice_area;
 };
 
-/// Nothing for a triangle without area or an input that is not finite.
+/// The frame; nothing for a triangle without area or an input that is not finite.
 template <Scalar R>
 std::optional<TriangleFrame<R>> triangle_frame(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
   TriangleFrame<R> t;

@@ -62,7 +62,7 @@ void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Resul
 /// triangle's size Hessians cancel more than 200 digits, and it says so.
 ///
 /// On the triangle: the limit from inside along minus the normal, extrapolated from distances around 1e-15 (1e-25 for
-/// 60 digits) of the point's distance to what it does not lie on (edges, corners). A derivative order whose
+/// 60 digits) of the point's distance to the nearest edge or corner that it does not lie on. A derivative order whose
 /// extrapolations disagree has no limit: all its entries are NaN, and the statements cover the other orders; with no
 /// order left, `converged` is false and `stated_digits` NaN. An order whose limit is zero is exactly zero.
 template <Scalar R>

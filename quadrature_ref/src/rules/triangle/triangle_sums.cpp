@@ -92,7 +92,7 @@ void PolarSum::scout() {
     mass_.push_back(caster.log10_mass(cell));
     for (int o = 0; o <= order_; ++o) mass[o] = std::max(mass[o], mass_.back()[o]);
   }
-  find_norm(mass, [&](const auto& error) { return with_error(error); });
+  find_log10_norms(mass, [&](const auto& error) { return with_error(error); });
 }
 
 Result<Mp200> PolarSum::at(double digits) {

@@ -25,8 +25,8 @@ struct Finding {
   double relative = 0;  ///< plain relative error, for the check `truth`
   /// For the check `truth`: the error that a result without one right digit would have had; negative: not known.
   double total_loss = -1;
-  int entry = -1;    ///< of the check `truth`: which entry of the tensor is furthest from the truth
-  double found = 0;  ///< and what the evaluation gave there
+  int entry = -1;    ///< for the check `truth`: which entry of the tensor is furthest from the truth
+  double found = 0;  ///< the evaluation's value of that entry
 };
 
 /// Counts a sample that was put to a row. \pre it was asked \return whether it was measured, so that its error is to be
@@ -78,8 +78,8 @@ void record(const Question<At>& question, const At& at, std::map<RowKey, Tally>&
   }
 }
 
-/// The question that a row's figures answer, or null. \param questions to the row's subject by its evaluation, which
-/// may have another name there
+/// The question that a row's figures answer, or null. \param questions those of the row's subject and evaluation; the
+/// evaluation may have another name there
 template <class Q>
 const Q* find_question(const std::vector<Q>& questions, RowKey row) {
   for (const Q& question : questions) {

@@ -52,15 +52,14 @@ struct Truth {
   /// Norm and conditioned yardstick by order, over the finite entries.
   std::array<Mp100, 3> norm{};
   std::array<Mp100, 3> conditioned{};
-  /// True when the point lies exactly on the element. Within it the yardstick counts only moves to its inner side,
-  /// since the function may jump; on its border it is only the norm.
+  /// True when the point lies exactly on the element. Then the yardstick counts only moves to its inner side, since the
+  /// function may jump; for points on the border only moves that stay on it (a rough yardstick: none, only the norm).
   bool on_element = false;
 };
 
 /// The norm of a tensor is the square root of the sum of its entries' squares.
 Mp100 norm(const std::vector<Mp100>& tensor);
 
-/// The truth at a sample.
 Truth truth_from(const TruthSource& source, const Sample& sample, int order);
 
 /// |f - truth| over the conditioned denominator, in units of `u`, norm-wise over the entries that are finite and within

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quad mean value weights of the paper: exact but for their part along the null vector of Eq 17, which a Riemann
+// The quad mean value weights of the paper: exact except for their part along the null vector of Eq 17, which a Riemann
 // sum estimates.
 #pragma once
 
@@ -31,10 +31,11 @@ enum class NormCorrection {
 /// The norm correction ||wbar||^2/(Omega.wbar) of Eq 24 has poles where Omega.wbar = 0, around the points where m_q =
 /// 0. It is blended into 1, no correction, over these ranges.
 struct PoleGuard {
-  /// Of |m_q| over the mean of |m_013| + |m_123| and |m_012| + |m_023|, in [0, 1]: how much of the quad cancels in its
-  /// mean vector. Near a zero of m_q wbar vanishes, and the sum's own error decides what the correction is.
+  /// The range of |m_q| over the mean of |m_013| + |m_123| and |m_012| + |m_023|, in [0, 1]: how much of the quad
+  /// cancels in its mean vector. Near a zero of m_q wbar vanishes, and the sum's own error decides what the correction
+  /// is.
   double mean_low = 0.05, mean_high = 0.2;
-  /// Of the cosine between wbar and the part of Omega across the null vector, 1 for an exact Omega.
+  /// The range of the cosine between wbar and the part of Omega across the null vector, 1 for an exact Omega.
   double cosine_low = 0.4, cosine_high = 0.8;
   NormCorrection correction = NormCorrection::Guarded;  ///< which the ranges are for
 };

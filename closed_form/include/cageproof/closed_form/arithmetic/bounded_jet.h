@@ -9,12 +9,13 @@
 
 namespace cageproof::closed_form {
 
-/// Limits for a result's own error bound. `accurate` takes half of its promise, because running bounds are themselves
-/// rounded. `closed_form` takes more than its promise, because running bounds exceed its errors tenfold and more.
+/// Limits for a result's own relative error bound. `accurate` takes 128 units, half of its promise, because running
+/// bounds are themselves rounded. `closed_form` takes 1000, more than the 64 conditioned units of its promise, because
+/// running bounds exceed its errors tenfold and more.
 inline constexpr double kAccurateTolerance = 128 * 0x1p-53, kTolerance = 1000 * 0x1p-53;
 
-/// A jet, and a bound of each order's relative error, norm-wise over those entries that are finite and within what the
-/// result may hold; zero where all of them are exact.
+/// A jet, and a bound of each order's relative error, norm-wise over those entries that are finite and within the
+/// result's range; zero where all of these are exact, and for orders without a limit.
 template <Scalar S, int C, int D = 3>
 struct BoundedJet {
   using Bound = ErrorOf<S>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ladder of precisions: the only place that decides which of them a result is computed in.
+// The ladder of precisions: tries one arithmetic after the other until a result is accepted.
 #pragma once
 
 #include <utility>
@@ -10,7 +10,7 @@ namespace cageproof::closed_form {
 template <class... T>
 struct Ladder {};
 
-/// What `attempt` gives in the first arithmetic whose result `accept` takes, or in the last one.
+/// Returns the result of `attempt` in the first arithmetic for which `accept` is true, or in the last one.
 /// \param attempt called as attempt.template operator()<T>() \param accept called with what that returned
 template <class T, class... Wider, class Attempt, class Accept>
 auto climb(Ladder<T, Wider...>, const Attempt& attempt, const Accept& accept) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Constants in whatever a form is computed in.
+// Constants in the type that a form is computed in.
 #pragma once
 
 #include "cageproof/core/numbers/scalar_names.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A double that knows what it should have been, and that has every operation on it recorded with the line it stands on.
+// A double with its exact value next to it, and a record of every operation on it with the operation's source line.
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/taylor.h"
@@ -44,7 +44,7 @@ class Counted {
   std::uint32_t node = 0;  ///< its place on the tape; 0: none, an exact number or one from before the recording
 
   Counted() = default;
-  /// An exact number.
+  /// Exact numbers.
   Counted(int x) : value(x), shadow(x) {}
   Counted(double x) : value(x), shadow(x) {}
   Counted(double v, const Mp200& exact, std::uint32_t place = 0) : value(v), shadow(exact), node(place) {}

@@ -28,7 +28,7 @@ struct CountedLine {
   std::size_t count = 0;  ///< of operations that the result depends on
 };
 
-/// Records what is done in Counted numbers on this thread while it lives. One at a time on a thread.
+/// Records the operations on Counted numbers of this thread while it lives. A thread has one at a time.
 class CountedTape {
  public:
   CountedTape();
@@ -36,7 +36,7 @@ class CountedTape {
   CountedTape(const CountedTape&) = delete;
   CountedTape& operator=(const CountedTape&) = delete;
 
-  /// The thread's, or null.
+  /// The thread's tape, or null.
   static CountedTape* current();
 
   std::size_t size() const { return nodes_.size(); }
@@ -48,7 +48,7 @@ class CountedTape {
   friend struct Recorder;
   friend class AttributedTo;
 
-  /// An operation, by what of it matters to results that depend on it.
+  /// An operation: the numbers that results depending on it need.
   struct Node {
     std::array<std::uint32_t, 2> from{};  // the operands' nodes; 0: none
     std::array<double, 2> slope{};        // derivatives with respect to them

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The names of the numbers that forms are computed in beside scalars, for code that needs none of them itself.
+// Forward declarations of the number types, beside scalars, that forms are computed in.
 #pragma once
 
 #include "cageproof/core/numbers/mp_names.h"

@@ -10,9 +10,9 @@
 
 namespace cageproof::closed_form {
 
-/// At most this share of an order's norm is lost by rounding entries to multiples of the least positive number: the
-/// largest of orders 0 to `order`. Nothing where all entries are normal numbers or zero; all of it where zeros are what
-/// is left of numbers that are not. \param bound of each order's error, zero of numbers that are exact
+/// A bound of the share of an order's norm that is lost by rounding entries to multiples of the least positive number;
+/// the largest of orders 0 to `order`. It is 0 where all entries are normal numbers or zero, and 1 where all that is
+/// left of an order is zeros that are not exact. \param bound of each order's error; zero where its numbers are exact
 template <class R, int C, int D, class Bound>
 double share_of_spacing(const Jet<R, C, D>& jet, const std::array<Bound, 3>& bound, int order) {
   double largest = 0;

@@ -27,7 +27,7 @@ struct Monomials {
     return e;
   }
   static constexpr std::array<Exponents, count> exponents = make_exponents();
-  /// raised[m][i]: the place of monomial m times variable i; the place depends only on the monomial, not on N.
+  /// The place of the monomial with these exponents, the same for every N.
   static constexpr int place(const Exponents& e) {
     const int rest = e[1] + e[2];
     return first(e[0] + rest) + rest * (rest + 1) / 2 + e[2];
@@ -42,13 +42,15 @@ struct Monomials {
       }
     return r;
   }
+  /// raised[m][i]: the place of monomial m times variable i.
   static constexpr std::array<std::array<int, 3>, count> raised = make_raised();
 };
 
 template <class R, int N>
 struct Taylor;
 
-/// f(delta) up to degree N; coefficient m belongs to Monomials<N>::exponents[m].
+/// f(delta) up to degree N; coefficient m belongs to Monomials<N>::exponents[m]. A derivative is its coefficient times
+/// the factorials of the exponents.
 template <class R, int N>
 struct Polynomial {
   using M = Monomials<N>;
@@ -67,7 +69,7 @@ struct Polynomial {
   void add(const R& factor, const Taylor<R, F>& f) {
     for (int m = 0; m < Monomials<std::min(F, N)>::count; ++m) c[m] += factor * f.c[m];
   }
-  /// Adds factor * (v . delta) * (the part of degree k - 1 of f) to the part of degree k.
+  /// Adds (v . delta) * (the part of degree k - 1 of f) to the part of degree k.
   template <class V, int F>
   void add_raised(int k, const V& v, const Taylor<R, F>& f) {
     for (int m = M::first(k - 1); m < M::first(k); ++m)
@@ -89,7 +91,7 @@ struct Polynomial {
   }
 };
 
-/// A polynomial in the type of its coefficients; a type may add to what its polynomials do.
+/// A Polynomial; scalar types whose polynomials do more specialise this (counted.h).
 template <class R, int N>
 struct Taylor : Polynomial<R, N> {};
 
@@ -110,7 +112,7 @@ void add_square(Taylor<R, N>& f, int k, const R& factor) {
     for (int i = 0; i < 3; ++i) f.c[M::raised[M::raised[m][i]][i]] += factor * f.c[m];
 }
 
-/// r^p of a corner at p, up to degree N: k r^2 f_k = (2k - 2 - p)(x.delta) f_{k-1} + (p - k + 2) delta^2 f_{k-2},
+/// r^p of a corner at x, up to degree N: k r^2 f_k = (2k - 2 - p)(x.delta) f_{k-1} + (p - k + 2) delta^2 f_{k-2},
 /// Gegenbauer's recurrence.
 template <int N, class R>
 Taylor<R, N> distance_power(const Vec3<R>& x, const R& value, const R& r, int p) {

@@ -18,10 +18,10 @@ namespace cageproof::closed_form {
 template <class T>
 using ErrorOf = std::conditional_t<is_multiprecision<T>, long double, double>;
 
-/// u of a type: what one operation may be wrong by, relatively.
+/// u of a type: a bound of the relative error of one operation.
 template <class T>
 constexpr ErrorOf<T> roundoff_of() {
-  // Division is a double-double's least exact operation: it loses four of the 106 bits.
+  // A double-double has 106 bits; every operation keeps 100 of them (double_double.h).
   int bits = std::same_as<T, DoubleDouble> ? 100 : std::numeric_limits<T>::digits;
   ErrorOf<T> u = 1;
   for (; bits > 0; --bits) u /= 2;
@@ -51,7 +51,8 @@ ErrorOf<T> least_size_of(const T& x) {
 
 /// A value of type T and a bound of its absolute error in units of roundoff_of<T>() (Wilkinson 1986; Higham 2002,
 /// Section 3.3): every operation adds its own rounding to what it passes on. The bound itself is rounded, which is why
-/// acceptance leaves room.
+/// acceptance leaves room. Comparisons look only at values: callers branch on numbers whose signs are certain, such as
+/// heights from exact geometry, or between forms that both hold at the border.
 template <class T>
 struct Tracked {
   using Error = ErrorOf<T>;
@@ -60,7 +61,7 @@ struct Tracked {
   Error error = 0;
 
   Tracked() = default;
-  /// An exact number.
+  /// Exact numbers: the error is zero, so do not pass a rounded double.
   Tracked(int x) : value(x) {}
   Tracked(double x) : value(x) {}
   Tracked(const T& v, Error e) : value(v), error(e) {}
@@ -132,14 +133,14 @@ struct Tracked {
   static constexpr double kFunctionRoundings = 4;
   // Constants of 200 digits serve double-doubles and narrower types.
   using Constants = MpConstants<std::max(200, std::numeric_limits<T>::digits10)>;
-  /// The magnitude less its own error: what a divisor may have shrunk to; zero where nothing of it is certain.
+  /// The magnitude less its own error, the least size that a divisor may have; zero where not even its sign is certain.
   static Error remaining(const Tracked& a) { return remaining(least_size_of(a.value), a.error); }
   static Error remaining(Error magnitude, Error error) { return std::max(Error(0), magnitude - kRoundoff * error); }
 };
 
 }  // namespace cageproof::closed_form
 
-/// Infinities, and what is no number.
+/// Infinities and NaN have no error.
 template <class T>
 class std::numeric_limits<cageproof::closed_form::Tracked<T>> : public std::numeric_limits<T> {
   using Tracked = cageproof::closed_form::Tracked<T>;

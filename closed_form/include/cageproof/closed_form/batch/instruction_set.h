@@ -6,7 +6,7 @@
 
 namespace cageproof::closed_form::batch {
 
-/// From the narrowest to the widest; a machine that has one has those before it.
+/// Instruction sets, the narrowest first; a machine that has one has all before it.
 enum class InstructionSet { Plain, Avx2, Avx512 };
 
 /// "plain", "avx2", "avx512".

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Double-doubles, one a point, and the functions that kernels take of them. Operations are good to 2^-100 of their
-// operands (not of their results: sums that cancel keep what their terms are good to). Compile without contraction of
+// operands, not of their results: sums that cancel keep the error of their terms. Compile without contraction of
 // products and sums.
 #pragma once
 
@@ -103,12 +103,12 @@ inline Pair series_of_odd(const Pair& s, double sign) {
   return sum;
 }
 
-/// As of Lanes.
+/// log(num/den), with length and sum as for Lanes (lanes.h).
 inline Pair log_of_quotient(const Pair& num, const Pair& den, const Pair& length, const Pair& sum) {
   constexpr std::uint64_t one = 1023;
   const Bits bits = (Bits)num.high - (Bits)den.high + ((one << 52) + (UINT64_C(1) << 51));
   const Bits exponent = bits >> 52;
-  // 2^-k, a normal number: quotients of what is no double-double of the other are not met here.
+  // 2^-k is a normal number, because no quotient here is near the ends of double's range.
   const Lanes scale = (Lanes)((2 * one - exponent) << 52);
   const Pair near_one(num.high * scale, num.low * scale);
   const Mask small = 5 * length.high < sum.high;

@@ -80,7 +80,7 @@ struct TileEdge {
   int edge, from, to;  ///< the edge's number; its ends among the tile's vertices
 };
 
-/// Faces near each other, some at a time, so that what is computed of their vertices and edges stays in caches.
+/// Groups of faces near each other, so that the results of their vertices and edges stay in caches.
 struct Tiles {
   int count;
   const int *first_face, *first_vertex, *first_edge;  ///< [count + 1], in:
@@ -112,13 +112,13 @@ struct CageTables {
   Tiles tiles;
 };
 
-/// A face, and the points of a block that see it otherwise than the others: a bit each.
+/// A face, and the points of a block for which it is treated differently: a bit each.
 struct Mark {
   int face;
   unsigned points;
 };
 
-/// A block of as many points as a vector has lanes, and memory for what is computed of it.
+/// A block of as many points as a vector has lanes, and memory for its results.
 struct Block {
   const CageTables* cage;
   Layers layers;
@@ -126,14 +126,14 @@ struct Block {
   TwoDoubles beta;  ///< 1/(2 (1 - nu)), of Kelvin's layers
   Columns layout;
   const double* points;  ///< [3][lanes]
-  unsigned whole;        ///< points that every face is to be seen from with twice the digits
+  unsigned whole;        ///< points for which every face is summed in double-double
   double* columns;       ///< [column][lanes]: sums over faces
   void* scratch;         ///< scratch_bytes of it, aligned to 64
   void* measured;        ///< measured_bytes of it, aligned to 64: how much faces cancel, for sum_again
-  Mark* marks;           ///< as many as there are faces, of those that twice the digits are spent on
+  Mark* marks;           ///< room for one per face: the faces that are summed in double-double
   int marked;
-  unsigned left;  ///< points that nothing is computed of
-  Mark* beyond;   ///< as many, of those that twice the digits are not enough for
+  unsigned left;  ///< points without a result
+  Mark* beyond;   ///< room for one per face: the faces for which double-double is not enough
   int beyond_marked;
 };
 
@@ -169,7 +169,7 @@ struct Kernels {
   long (*measured_bytes)();
   /// Sums over faces in double; lists the faces that points are next to, and leaves these out for them.
   void (*sum)(Block&);
-  /// Adds what was left out, in double-doubles; lists what these do not decide, and leaves that out.
+  /// Adds the marked faces in double-double; lists those for which that is not enough, and leaves them out.
   void (*sum_marked)(Block&);
   /// Once all faces are added: whether points cancel more than double may. Then sums are made anew as `sum` does, with
   /// more faces summed by rules or left out, until it says no.

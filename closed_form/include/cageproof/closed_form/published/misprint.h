@@ -7,7 +7,7 @@
 
 namespace cageproof::closed_form::published {
 
-/// None: every equation after the errata. The others keep what is printed at one place; errata.h says what that is.
+/// None: every equation after the errata. The others keep the paper's printed form at one place; errata.h names it.
 enum class Misprint { None, AppendixA, Equation18, Equation48, Equation49, AppendixC };
 
 /// The evaluation's name: "published", or "as-printed-" and the place.

@@ -8,8 +8,8 @@
 namespace cageproof::closed_form::triangle {
 
 /// phi_t^k = int Gamma_k x.n/(4 pi r^3), the harmonic double layer of the three hat functions ([T24] Eq 5; edge form):
-/// unitless. On the triangle: the limit from inside, Gamma_k/2 within; derivatives have none on the border. The
-/// gradient is that of this one triangle's phi, not the "curl form" that is right only summed over a closed cage.
+/// unitless. On the triangle: the limit from inside, Gamma_k/2 within; derivatives have no limit on the border. The
+/// gradient is that of this one triangle's phi; the "curl form" is right only when summed over a closed cage.
 struct DoubleLayer : OddPowers {
   static constexpr int components = 3, degree = 0, border_order = 1, far_power = -3;
   template <class S, class R, int N>

@@ -8,8 +8,8 @@
 
 namespace cageproof::closed_form::triangle {
 
-/// The limit from inside of d Hess J on the triangle's border, where the edge form leaves it out: K3 d^2 and S3 |d| of
-/// the edges that the point lies on remain. Zero elsewhere.
+/// The limit from inside of d Hess J on the triangle's border, which the edge form leaves out there: K3 d^2 and S3 |d|
+/// of the edges that the point lies on do not vanish. Zero elsewhere.
 template <class R>
 std::array<R, 9> border_height_hessian(const Frame<R>& f) {
   std::array<R, 9> m{};

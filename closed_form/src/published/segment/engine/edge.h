@@ -9,7 +9,7 @@
 
 namespace cageproof::closed_form::published {
 
-/// The point in the edge's frame, T_i, and what all basis functions are made of, in the caller's units of length.
+/// The point in the edge's frame, T_i, and the numbers that all basis functions use, in the caller's units of length.
 template <Scalar R>
 struct PlaneEdge {
   R c;       ///< ||e_i||

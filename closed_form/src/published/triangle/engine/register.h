@@ -16,8 +16,8 @@ namespace cageproof::closed_form::published {
 
 CAGEPROOF_PUBLISHED_SCALARS(extern)
 
-/// The scalar that printed forms compute in: R itself, since what their cancellation costs is what they are here to
-/// show; but 50 and 100 digits' in 200, which saves two fifths of what they take to compile.
+/// The scalar that printed forms compute in: R itself, since they are here to show what their cancellation costs. Those
+/// in 50 and 100 digits compute in 200, which saves two fifths of the time to compile.
 template <Scalar R>
 using Computed = std::conditional_t<is_multiprecision<R>, Mp200, R>;
 

@@ -65,9 +65,9 @@ class Cage {
   ///   depends on the unit of length.
   /// Faces that hang together by edges are a part of the cage; where parts share edges or vertices, meeting_warning
   /// says so. Parts that lie within no other, or within an even number of others, are shells, and their normals point
-  /// outward (positive volume); the others bound cavities, and their normals point into them. Parts that cross lie
-  /// beside each other, not within. Anything else would make coordinates sum to 2 or -1 somewhere. Faces may cross each
-  /// other: crossing_faces names them.
+  /// outward (positive volume); the others bound cavities, and their normals point into them. Parts that cross count as
+  /// beside each other, not within. Any other orientation would make coordinates sum to 2 or -1 somewhere. Faces may
+  /// cross each other: crossing_faces names them.
   static Cage make(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> faces,
                    CageOptions options = {});
 

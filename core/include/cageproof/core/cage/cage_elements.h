@@ -50,7 +50,7 @@ class CageElements {
   Vec3<double> normal_of(std::size_t coordinate, Owner owner) const;
   /// xi_u x xi_v at a quad's corners: the area element there, whose unit vector normal_of() is. One for flat elements.
   double area_element_of(std::size_t coordinate, Owner owner) const { return area_element_in(0, coordinate, owner); }
-  /// The same in the unit of length 2^-exponent.
+  /// area_element_of() in the unit of length 2^-exponent.
   double area_element_in(int exponent, std::size_t coordinate, Owner owner) const;
   /// The outward unit normal where a point touches; of a bilinear quad, there.
   Vec3<double> normal_at(const Touching& touch) const;
@@ -63,7 +63,7 @@ class CageElements {
   std::vector<Face> elements_;
   std::vector<Vec3<double>> normals_;
   std::vector<int> first_corner_;             // of each element, and how many there are
-  std::vector<int> first_normal_;             // likewise
+  std::vector<int> first_normal_;             // of each element, and how many there are
   std::vector<int> numbers_;                  // 0, 1, 2 ..., as many as corners
   std::vector<Vec3<double>> corner_normals_;  // unit, by Owner::Normal
   std::vector<double> area_elements_;         // likewise, in units of 4^area_exponents_

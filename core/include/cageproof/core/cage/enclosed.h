@@ -11,7 +11,7 @@
 
 namespace cageproof {
 
-/// Which vertices faces and segments connect. Keeps references.
+/// The faces and segments that connect vertices. Keeps references.
 struct Connectivity {
   const std::vector<std::vector<int>>& faces;
   const std::vector<std::array<int, 2>>& segments;

@@ -6,7 +6,7 @@
 
 namespace cageproof {
 
-/// Which vertices of a mesh became which.
+/// The numbers of a mesh's vertices before and after vertices were merged.
 struct Merging {
   std::vector<int> number;  ///< the new number of each vertex
   std::vector<int> first;   ///< the old number of each new vertex, whose place it has: the lowest of those merged

@@ -47,8 +47,8 @@ struct RegisterMeshReader {
 ///   missing, a directory, empty, unreadable, a Git LFS pointer, unknown extension, no vertices, text where a number
 ///   belongs, truncated line or file, non-finite number, fewer than three coordinates (two, in an OBJ file of polylines
 ///   alone), a weight of zero, index out of range; triangle strips (PLY, VTP); binary OFF; a PLY face of more than 255
-///   corners; what of SVG is neither polygon nor without a shape: curves, arcs, text, `use`, an unknown element or
-///   transform; what is no GeoJSON geometry, an open ring
+///   corners; SVG's curves, arcs, text, `use`, unknown elements and transforms; JSON that is no GeoJSON geometry, an
+///   open ring
 Mesh read_mesh(const std::filesystem::path& path);
 
 /// A mesh as cages are made of: faces of more than four corners are cut in triangles, a mesh whose vertices all have
@@ -65,7 +65,7 @@ Cage read_cage(const std::filesystem::path& path, CageOptions options = {});
 Cage cage_from(Mesh mesh, const std::filesystem::path& path, CageOptions options = {});
 
 /// Reads points: the vertices of a mesh file, an array of NumPy's of shape (points, 3) or, in the plane, (points, 2)
-/// (`.npy`; `.npz` with one array), or text (`.csv`, `.tsv`, `.xyz`, `.pts`, `.txt`). What has no extension, and
+/// (`.npy`; `.npz` with one array), or text (`.csv`, `.tsv`, `.xyz`, `.pts`, `.txt`). A file without extension, and
 /// standard input ("-"), is text, or an array where it begins as one. Text has one point per line: 3 numbers (decimal
 /// or hexadecimal) between semicolons, commas, or blanks and tabs. `#` starts a comment; a first line without any
 /// number names the columns; one with a single whole number says how many points follow. More than three columns are
@@ -77,7 +77,7 @@ Cage cage_from(Mesh mesh, const std::filesystem::path& path, CageOptions options
 ///   point that does not lie in the plane; an array of another type or shape, several arrays in one file
 std::vector<Vec3<double>> read_points(const std::filesystem::path& path, int dimension = 3);
 
-/// The same, with the faces or polylines that they carry, and warnings.
+/// Reads points as read_points(), with the file's faces or polylines, and warnings.
 Mesh read_points_and_faces(const std::filesystem::path& path, int dimension = 3);
 
 /// The vertices of a mesh lie in the plane. \throws InputError naming the file and the first vertex that does not

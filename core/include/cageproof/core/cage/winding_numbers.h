@@ -9,9 +9,9 @@
 
 namespace cageproof {
 
-/// Winding numbers of a cage, exact: signed crossings of a ray along an axis, of the elements that a tree finds
-/// above the point. A point counts as moved to one side by less than any distance, so that no ray meets an edge. Of
-/// bilinear quads as of triangles and segments. Keeps copies; safe from any thread.
+/// Winding numbers of a cage, exact: signed crossings of a ray along an axis, of the elements that a tree finds above
+/// the point. A point counts as moved to one side by less than any distance, so that no ray meets an edge. Elements are
+/// bilinear quads, triangles or segments. Keeps copies; safe from any thread.
 class WindingNumbers {
  public:
   explicit WindingNumbers(const CageElements& elements);

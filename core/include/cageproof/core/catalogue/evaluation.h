@@ -23,8 +23,8 @@ struct EvaluationFacts {
   bool states_error = false;  ///< whether it states how many digits it stands behind (Statement::digits)
   int max_order = 2;          ///< highest derivative it gives
   /// Evaluations of the formula that stand in for this one in multiprecision because they stop at fewer digits:
-  /// `truths` at 34 or more, `confirmations` at some more, so that other nodes are taken where the digits decide them,
-  /// `yardsticks` at 12 or more. Empty: this one is quick enough itself.
+  /// `truths` at 34 or more, `confirmations` at more digits, hence with other nodes, and `yardsticks` at 12 or more.
+  /// Empty: this one is quick enough itself.
   struct Substitutes {
     std::string truths, confirmations, yardsticks;
   } substitutes = {};
@@ -47,7 +47,7 @@ template <Scalar R>
 struct EvaluationFunctions {
   /// Computes a block of points of one element.
   std::function<void(const Batch<R>&, const BatchOutput<R>&)> batch;
-  /// Computes one point; gives radii too.
+  /// Computes one point, with Result's radii where the evaluation proves any.
   std::function<void(const Query<R>&, Result<R>&)> point;
   std::shared_ptr<const JointForm<R>> joint = {};  ///< null where it shares nothing
 };
@@ -136,8 +136,8 @@ struct EvaluationFamily {
   Evaluation example() const { return make(standard.empty() ? pattern : standard.front()).value(); }
 };
 
-/// The evaluations of all rooms linked into the program. Rooms add theirs when the program starts. Families stay where
-/// they are.
+/// All evaluations that are linked into the program; each adds itself when the program starts. Families stay where they
+/// are.
 class EvaluationRegister {
  public:
   static EvaluationRegister& instance();

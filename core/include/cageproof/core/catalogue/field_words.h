@@ -9,7 +9,7 @@
 
 namespace cageproof {
 
-/// A word, and either the names of what it means or the reason why nothing here is that.
+/// A word of the field, with this project's names for it, or the reason why there is none.
 struct FieldWord {
   std::string_view word;  ///< in lower case, with hyphens: "mean-value"
   /// Names of kinds, methods, evaluations and commands, and of formulas without their element: "solid_angle".

@@ -15,8 +15,7 @@
 
 namespace cageproof {
 
-/// A formula's parameter (Poisson ratio, shear modulus): name, default and open range, with the limits that exist
-/// beside it.
+/// A formula's parameter (Poisson ratio, shear modulus): name, default `preset`, open range, and limits outside it.
 struct Parameter {
   std::string_view name;
   double preset;
@@ -66,7 +65,7 @@ struct FaceJump {
 struct Logarithm {
   double factor = 0;
   int squares = 0;
-  bool height = false;
+  bool height = false;  ///< with x.n
 };
 
 /// The identity of a double layer's moments f and a single layer g on an element in space whose corners, seen from the
@@ -75,13 +74,13 @@ struct Logarithm {
 struct SideRelation {
   std::string_view single_layer = {};  ///< g; none where empty
   double factor = 1;
-  double weight = 4;
-  int power = -1;  ///< -1 or 1
+  double weight = 4;  ///< a divisor
+  int power = -1;     ///< -1 or 1
 };
 
 /// The behaviour of a formula for given parameters, in two respects. Under a change of unit, f(s element, s point) =
 /// s^degree f(element, point), s > 0; kernels with a logarithm of the distance add s^degree log(s) times the integral
-/// of the term that multiplies it; derivatives follow. Across the element, it jumps as stated.
+/// of the term that multiplies it; derivatives follow. Across the element, values jump as stated.
 struct Behaviour {
   int degree;
   Logarithm logarithmic = {};
@@ -101,14 +100,14 @@ struct Formula {
   /// Whether the kernel has the factor x.n: it vanishes where the point is in a flat element's plane, or on a segment's
   /// line.
   bool vanishes_in_plane = false;
-  /// Whether straight above a flat element terms of the gradient cancel, by the distance over the element's size.
+  /// Whether straight above a flat element terms of the gradient exceed their sum by the factor 1 + distance/size.
   bool gradient_cancels_above = false;
   Laplacian laplacian;
   FaceJump face_jump;
   std::vector<Parameter> parameters;
   Logarithm logarithmic = {};
-  /// Integrated over the element's own parameters, u and v in [0, 1], without the area element: of an element in four
-  /// alike parts each adds a quarter.
+  /// Whether the integral is over the element's own parameters, u and v in [0, 1], without the area element: each of
+  /// four like parts then adds a quarter of its own value.
   bool by_parameters = false;
   SideRelation side_relation = {};
   /// The behaviour of a formula whose degree, logarithm or jump depends on its parameters; null for others.
@@ -120,7 +119,6 @@ struct Formula {
   int corners() const { return corner_count(element); }
   /// Number of scalars of the value: (corners or 1) x rows x columns.
   int components() const { return tensors() * shape.entries(); }
-  /// The number of an element's tensors: one per corner, or one.
   int tensors() const { return shape.per_corner ? corners() : 1; }
   int dim() const { return dimension(element); }
   /// The second half of the name: what is integrated.

@@ -23,9 +23,9 @@ std::vector<KindParameter> parameters_of(const Formula& formula);
 /// Names and the texts of their values as texts "name=value".
 std::vector<std::string> parameter_texts(const std::vector<std::pair<std::string, std::string>>& given);
 
-/// Values in the order of `known`; what is not given takes its default.
-/// \param given texts "name=value" \throws InputError for a text that is none, a name that is unknown or given twice,
-/// and a value that is none or out of range
+/// Values in the order of `known`; parameters not given take their defaults. \param given texts "name=value"
+/// \throws InputError for a text of another form, a name that is unknown or given twice, and a value that is no number
+/// or out of range
 std::vector<double> parameter_values(const std::vector<std::string>& given, const std::vector<KindParameter>& known,
                                      const ParameterOwner& owner);
 

@@ -18,7 +18,7 @@ std::string_view nearest_name(std::string_view name, const std::vector<std::stri
 /// \param what is named: "formula" \param known all possible names; empty: the message only refers to the catalogue
 InputError unknown_name(std::string_view what, std::string_view name, const std::vector<std::string_view>& known = {});
 
-/// The same where one name is asked for, and neither a glob nor a list would do.
+/// The error for an unknown name where exactly one name is asked for, no glob or list. \param what, known as above
 InputError unknown_single_name(std::string_view what, std::string_view name,
                                const std::vector<std::string_view>& known);
 
@@ -30,8 +30,8 @@ std::vector<std::string_view> evaluation_names(std::string_view formula);
 /// the name that may have been meant.
 std::string why_no_evaluation(std::string_view formula, std::string_view name);
 
-/// The same for any subject with evaluations. \param subject its name in messages \param formulas whose evaluations it
-/// has \param more names of evaluations that it has in addition
+/// The end of that message for any subject with evaluations. \param subject its name in messages \param formulas whose
+/// evaluations it has \param more names of evaluations that it has in addition
 std::string why_no_evaluation(std::string_view subject, const std::vector<std::string_view>& formulas,
                               std::string_view name, const std::vector<std::string_view>& more);
 

@@ -21,8 +21,8 @@ struct SummedBlock {
   double (*normal_factor)(std::span<const double> parameters, int dimension) = nullptr;
   /// For kernels with one tensor per corner: whether corners keep theirs; otherwise they are added to the vertices'.
   bool one_a_corner = false;
-  /// Whether there is one a normal (Owner::Normal): of quads one a corner, integrated over du dv, times the area
-  /// element |N_k| there, so that unit normals are what all coordinates multiply; of triangles one.
+  /// Whether there is one per normal (Owner::Normal). Quads have one per corner, integrated over du dv times the area
+  /// element |N_k| there, so that all coordinates multiply unit normals. Triangles have one.
   bool one_a_normal = false;
 };
 
@@ -71,10 +71,10 @@ struct CoordinateKind {
   /// Whether preparing solves for densities on samples of all elements, which takes the square of the number of
   /// elements times that of samples: runs ask such kinds of small cages.
   bool solves_on_samples = false;
-  /// Whether points outside are those without coordinates, and no others.
+  /// Whether the points without coordinates are exactly those outside.
   bool inside_alone = false;
-  /// Whether functions of these coordinates continue through a flat element as what they are inside plus the affine map
-  /// of it (Lipman et al. 2008, of Green coordinates): their blocks are of vertices and of elements' normals.
+  /// Whether functions of these coordinates continue through a flat element, as their inside values plus the element's
+  /// affine map (Lipman et al. 2008, for Green coordinates). Blocks are then of vertices and of elements' normals.
   bool extends = false;
   /// Why the kind has no coordinates in a cage of its dimension, with its parameters' defaults; empty where it has.
   /// Null for kinds that refuse none. What other parameters make too large, `prepare` refuses.
@@ -154,11 +154,11 @@ class CageCoordinates {
     return prepared_->systems() != nullptr ? prepared_->systems()->solved() : std::vector<SolvedSystem>();
   }
 
-  /// Coordinates of several points: one table per block of coordinates, as PreparedCoordinates::fill.
+  /// Coordinates of several points, one table per block of coordinates, as PreparedCoordinates::fill.
   template <Scalar R>
   std::vector<CoordinateTable<R>> at(std::span<const Vec3<R>> points, int order) const;
 
-  /// The same in double, into tables of an earlier call, whose memory is kept where it is large enough.
+  /// Coordinates in double, into the tables of an earlier call, whose memory is kept where it is large enough.
   void at(std::span<const Vec3<double>> points, int order, std::vector<CoordinateTable<double>>& tables) const;
 
   /// Limits from inside at points within elements (HasLimits). R: double or Mp50
@@ -176,11 +176,11 @@ class CageCoordinates {
   /// \throws InputError where blocks have different numbers of rows
   AppliedTable apply(std::span<const Vec3<double>> points, int order, const CageData& data) const;
 
-  /// The same to a stated error (AppliesData::sum_to); null for coordinates that have nothing but sums element by
-  /// element.
+  /// The functions of apply(), to a stated error (AppliesData::sum_to); null for coordinates that can only be summed
+  /// element by element.
   std::unique_ptr<const StatedSum> sum_to(double error, const CageData& data, std::size_t points) const;
 
-  /// Coordinates of one point: one result per block.
+  /// Coordinates of one point, one result per block.
   template <Scalar R>
   std::vector<Result<R>> at(const Vec3<R>& point, int order) const;
 

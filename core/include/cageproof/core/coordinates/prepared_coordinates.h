@@ -84,8 +84,8 @@ class SolvesSystems {
   ~SolvesSystems() = default;
 };
 
-/// Limits from inside at points within elements, which are given by their basis functions there, whatever rounding
-/// makes of the points themselves: for these are seldom doubles.
+/// Limits from inside at points within elements. Points are given by the basis functions there, because points on an
+/// element are seldom exact in double.
 class HasLimits {
  public:
   virtual void fill_limits(std::span<const Touching> places, int order,
@@ -100,8 +100,8 @@ class HasLimits {
 /// The terms that coordinates are summed from.
 class HasTerms {
  public:
-  /// The tables of PreparedCoordinates::fill with the sums of the terms' absolute values, at least about: what a
-  /// rounding of each of them costs.
+  /// The tables of PreparedCoordinates::fill with the sums of the terms' absolute values, or about that: the cost of a
+  /// rounding of each term.
   virtual void fill_terms(std::span<const Vec3<double>> points, int order,
                           std::span<CoordinateTable<double>> tables) const = 0;
 
@@ -114,9 +114,8 @@ class HasTerms {
 class StatedSum {
  public:
   virtual ~StatedSum() = default;
-  /// \param jobs threads; 0: all cores \param values [point][set], stored \param errors stored: what each point's
-  /// values are off at most, besides roundings, in the Euclidean norm over the sets; zero where they are summed element
-  /// by element
+  /// \param jobs threads; 0: all cores \param values [point][set], stored \param errors stored: a bound of each point's
+  /// error except roundings, in the Euclidean norm over the sets; zero where summed element by element
   virtual void fill(std::span<const Vec3<double>> points, int jobs, std::span<double> values,
                     std::span<double> errors) const = 0;
   /// The highest degree of the expansions that elements are summed together by; zero where none are.
@@ -126,12 +125,12 @@ class StatedSum {
 /// Sums of coordinates times data, without keeping coordinates.
 class AppliesData {
  public:
-  /// Adds them to a table that the caller sized and set to zero.
+  /// Adds the functions of CageCoordinates::apply to a table that the caller sized and set to zero.
   virtual void apply(std::span<const Vec3<double>> points, int order, const CageData& data,
                      AppliedTable& table) const = 0;
-  /// The same, of values, with elements that are far away summed together. Null where that is not known, and for other
-  /// than three sets. \param error in the data's unit of length, which no point's exceeds \param points how many will
-  /// be asked: where they or the elements are few, element by element is quicker, and done
+  /// The values of these functions, with far elements summed together. Null where the kind cannot do so, and unless the
+  /// data have three sets. \param error in the data's unit of length, which no point's exceeds \param points how many
+  /// will be asked: where they or the elements are few, element by element is quicker, and done
   virtual std::unique_ptr<const StatedSum> sum_to(double /*error*/, const CageData& /*data*/,
                                                   std::size_t /*points*/) const {
     return nullptr;
@@ -154,8 +153,8 @@ class SolvesLaplacians {
   ~SolvesLaplacians() = default;
 };
 
-/// A kind prepared for one cage. Safe from any thread. Beside coordinates a kind may have more, which it names by a
-/// pointer to itself.
+/// A kind prepared for one cage. Safe from any thread. Functions such as systems() return a pointer to itself where the
+/// kind has more than coordinates.
 class PreparedCoordinates {
  public:
   virtual ~PreparedCoordinates() = default;
@@ -165,7 +164,7 @@ class PreparedCoordinates {
   virtual std::string evaluation() const { return std::string(name_of(Role::Recommended)); }
   /// Whether values in multiprecision have that precision's digits.
   virtual bool is_exact_in(ScalarKind scalar) const = 0;
-  /// Whether what is prepared once a cage in that scalar takes a second or so: not where large systems are solved in
+  /// Whether preparing a cage in that scalar takes only about a second: not where large systems are solved in
   /// multiprecision.
   virtual bool is_prompt_in(ScalarKind /*scalar*/) const { return true; }
   /// One table a block, sized and set to zero by the caller. Where a point is exactly a double and lies on the cage,
@@ -209,7 +208,7 @@ class CoordinatesFromDouble : public PreparedCoordinates {
   const Derived& own() const { return static_cast<const Derived&>(*this); }
 };
 
-/// The same with float, which the derived class computes in float.
+/// CoordinatesFromDouble whose derived class computes float in float.
 template <class Derived>
 class CoordinatesIn : public CoordinatesFromDouble<Derived> {
  public:
@@ -219,8 +218,7 @@ class CoordinatesIn : public CoordinatesFromDouble<Derived> {
   }
 };
 
-/// Coordinates in double that are computed all at once, beside the sums over elements that have all else: other
-/// scalars, limits and terms.
+/// Coordinates in double that are computed all at once. Other scalars, limits and terms come from sums over elements.
 class BesideSums : public PreparedCoordinates {
  public:
   /// \param dimension of the cage

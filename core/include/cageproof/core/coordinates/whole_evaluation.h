@@ -35,10 +35,10 @@ struct RegisterWholeEvaluation {
 /// The first one of that name, or null.
 const WholeEvaluation* find_whole_evaluation(std::string_view name);
 
-/// The one of that name that computes the kind in the cage, which the kind accepts, or null.
+/// The whole evaluation of that name that computes the kind in the cage, and that the kind accepts, or null.
 const WholeEvaluation* find_whole_evaluation(std::string_view name, const CoordinateKind& kind, const Cage& cage);
 
-/// The names of those that compute the kind in the cage.
+/// The names of the whole evaluations that compute the kind in the cage.
 std::vector<std::string_view> whole_evaluation_names(const CoordinateKind& kind, const Cage& cage);
 
 /// Refuses a name that is no whole evaluation of the kind in the cage, and that no formula of the kind has on any

@@ -20,8 +20,8 @@ class BoxTree {
   /// order, until it returns false.
   void for_each_meeting(const Box& box, const std::function<bool(int)>& with) const;
 
-  /// Calls `visit` for boxes, the nearest first, as long as they are no further away than what it returned last. It is
-  /// called for more where squares of distances leave the exponent range.
+  /// Calls `visit` for boxes, the nearest first, as long as they are no further away than the distance that it returned
+  /// last. Where squares of distances leave the exponent range, it is called for more boxes.
   void by_distance(const Vec3<double>& from, const std::function<double(int)>& visit) const;
 
  private:
@@ -32,7 +32,7 @@ class BoxTree {
 /// A box around each element, of its corners.
 std::vector<Box> boxes_of(const std::vector<std::vector<Vec3<double>>>& elements);
 
-/// From a point to a box: nothing within it.
+/// The distance of a point from a box; 0 within it.
 double distance_to(const Box& box, const Vec3<double>& point);
 
 }  // namespace cageproof

@@ -50,7 +50,7 @@ struct ElementType {
   int corners;
   int dimension;                     ///< of the space it lies in: 2 or 3. Points in the plane carry z = 0.
   bool flat;                         ///< one normal everywhere
-  std::string_view degenerate_text;  ///< what a message says of an element without length or area
+  std::string_view degenerate_text;  ///< a message's words for an element without length or area
   /// The parts at the edges' midpoints (of quads at u = 1/2 and v = 1/2), each of the same kind.
   std::span<const ElementPart> parts;
   /// The ways to cut it into triangles, that of the fan about the first corner first. Empty: a triangulated cage keeps

@@ -9,10 +9,10 @@
 
 namespace cageproof {
 
-/// Products of a triangle's geometry that cancel next to its plane, its edges' lines and its corners. Each is exact but
-/// for one rounding to W's digits, and zero only where it is zero: whatever doubles are given, and multiprecision
-/// numbers within 16384 bits. Beyond that, and for numbers that are not finite, every operation is one of W's.
-/// Ordinary doubles, within 160 bits in 200 digits, cost no memory.
+/// Products of a triangle's geometry that cancel next to its plane, its edges' lines and its corners. Each is exact
+/// except for one rounding to W's digits, and zero only where the exact product is: for all doubles, and for
+/// multiprecision numbers within 16384 bits. Beyond that, and for numbers that are not finite, operations are rounded
+/// to W's digits. Doubles within 160 bits take no heap memory in Mp200.
 /// \tparam W Mp200, Mp400 or Mp2000
 template <class W>
 struct ExactTriangleIn {
@@ -28,7 +28,8 @@ struct ExactTriangleIn {
 };
 using ExactTriangle = ExactTriangleIn<Mp200>;
 
-/// Heights of a point over a triangle's sides and plane. Signs are exact; sizes have two roundings at most.
+/// Products that are the heights of a point over a triangle's sides and plane, once divided by lengths and areas. Signs
+/// are exact; sizes have two roundings at most.
 struct ExactHeights {
   double volume;                 ///< ExactTriangle::volume
   std::array<double, 3> beside;  ///< ExactTriangle::beside
@@ -36,10 +37,10 @@ struct ExactHeights {
   std::array<int, 3> beside_sign;
 };
 
-/// The heights for any finite doubles; quick within 112 bits. \param exponent lengths are in units of two to this power
+/// These products for any finite doubles; quick within 112 bits. \param exponent lengths are in units of 2^exponent
 ExactHeights exact_heights(const Triangle<double>& t, const Vec3<double>& point, int exponent);
 
-/// The same of a segment in the plane; third coordinates are not looked at.
+/// Products of a segment's geometry in the plane, exact as ExactTriangleIn's; third coordinates are ignored.
 /// \tparam W Mp200, Mp400 or Mp2000
 template <class W>
 struct ExactSegmentIn {

@@ -32,7 +32,8 @@ struct BilinearPoint {
 /// finite.
 std::optional<BilinearPoint> on_quad(const Quad<double>& q, const Vec3<double>& point);
 
-/// The same of numbers of up to 200 digits, exactly as well. Nothing where a number's exponent of two is beyond +-2^14.
+/// on_quad() for numbers of up to 200 digits, decided exactly as well. Nothing where a number's exponent of two is
+/// beyond +-2^14.
 std::optional<BilinearPoint> on_quad(const Quad<Mp200>& q, const Vec3<Mp200>& point);
 
 /// The two triangles whose solid angles add up to that of a bilinear quad, seen from a point.
@@ -46,7 +47,7 @@ enum class SeenTriangles {
 /// where k_1 k_3 < k_0 k_2 for the point's barycentric coordinates k. Exact for any finite doubles.
 SeenTriangles seen_triangles(const Quad<double>& q, const Vec3<double>& point);
 
-/// The same in multiprecision, rounded.
+/// seen_triangles() in multiprecision, with rounded products.
 SeenTriangles seen_triangles(const Quad<Mp200>& q, const Vec3<Mp200>& point);
 
 }  // namespace cageproof

@@ -5,7 +5,7 @@
 #include "cageproof/core/numbers/scalar.h"
 #include "cageproof/core/numbers/vector.h"
 
-/// What Eigen asks of a number type.
+/// The traits that Eigen needs of a number type.
 template <unsigned Digits>
 struct Eigen::NumTraits<cageproof::Mp<Digits>> {
   using Real = cageproof::Mp<Digits>;

@@ -42,7 +42,7 @@ class Mp {
   /// Exact from fewer digits, rounded from more.
   template <unsigned More>
   explicit(More > Digits) Mp(const Mp<More>& other);
-  /// Decimal. \throws std::runtime_error for what is no number
+  /// From a decimal. \throws std::runtime_error if the text is no number
   explicit Mp(const char* text);
   explicit Mp(const std::string& text) : Mp(text.c_str()) {}
 

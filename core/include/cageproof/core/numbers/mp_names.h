@@ -16,7 +16,7 @@ using Mp200 = Mp<200>;
 using Mp400 = Mp<400>;
 /// No formula's scalar: it holds differences and products of doubles whose exponents are the furthest apart.
 using Mp800 = Mp<800>;
-/// No formula's scalar: what holds a result of ordinary size beside one whose size is that of 5e-324 to the power -3.
+/// No formula's scalar: it holds a sum of a number of ordinary size and one of size 5e-324^-3.
 using Mp2000 = Mp<2000>;
 
 }  // namespace cageproof

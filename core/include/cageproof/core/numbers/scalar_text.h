@@ -18,7 +18,7 @@ std::optional<R> parse_scalar(std::string_view text);
 template <Scalar R>
 std::string format_scalar(const R& x);
 
-/// So many significant digits, 1 to 100, rounded to nearest: "1.2345e-03"; "nan", "inf", "-inf".
+/// The number with that many significant digits, 1 to 100, rounded to nearest: "1.2345e-03"; "nan", "inf", "-inf".
 std::string format_digits(const Mp100& x, int digits);
 
 /// The exact hexadecimal form of a double: "0x1.8p-3".

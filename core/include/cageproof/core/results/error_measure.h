@@ -81,7 +81,8 @@ struct WorstCase {
   CageFrame frame = {};  ///< of a cage: where it stood
 };
 
-/// Every number of a case's input, bit for bit: the sign of zero counts. Its error and its regime's parameter are none.
+/// Every number of a case's input, bit for bit: the sign of zero counts. Its error and its regime's parameter are not
+/// input.
 std::vector<std::uint64_t> input_bits(const WorstCase& worst_case);
 
 /// The k worst cases, by falling error, then by rising sample number, then by the bits of the input: independent of the

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Results of units of work: tallies by row, samples of fields, errata. They are merged, and the order of merging does
-// not matter.
+// The results of a unit of work are tallies by row, samples of fields, and errata. They are merged, and the order of
+// merging does not matter.
 #pragma once
 
 #include "cageproof/core/results/run_result.h"

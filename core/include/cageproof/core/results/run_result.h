@@ -27,7 +27,7 @@ struct ResultRow : RowKey, RowFigures {
   std::optional<double> bound;
   std::string reason;  ///< why the bound is what it is, or why nothing is promised
   Verdict verdict = Verdict::NotPromised;
-  bool is_foundation = false;  ///< others rest on it: where it is broken, what they say counts for little
+  bool is_foundation = false;  ///< other rows rest on this one: if it is broken, their verdicts count for little
   std::vector<WorstCase> worst;
   std::vector<std::uint64_t> histogram;  ///< ErrorHistogram::counts()
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rows of a campaign: a row key identifies the question, a tally holds the findings. Tallies merge in any order with
-// the same result.
+// The rows of a campaign. A row key identifies the question, a tally holds the findings. Tallies merge in any order
+// with the same result.
 #pragma once
 
 #include "cageproof/core/results/error_measure.h"
@@ -63,7 +63,7 @@ struct Tally : RowFigures {
     errors.add(error);
     max_relative = std::max(max_relative, relative);
   }
-  /// The same, and keeps the input where it is among the worst. \param sample its number
+  /// Counts a measured error, and keeps the input where it is among the worst. \param sample its number
   /// \param make_case called with the error for the input, when it is among the worst
   template <class MakeCase>
   void add(double error, double relative, std::uint64_t sample, MakeCase make_case) {

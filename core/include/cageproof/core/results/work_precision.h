@@ -13,7 +13,7 @@ namespace cageproof {
 struct WorkPrecisionRow {
   std::string evaluation;
   std::string place;    ///< "interior", "1e-2" ... (distance from the cage, in its sizes), or a regime
-  double distance = 0;  ///< of the place, in cage sizes, or what the regime sweeps; 0 where there is none
+  double distance = 0;  ///< of the place, in cage sizes, or the regime's swept parameter; 0 where there is none
   /// The sweep whose rows make curves over `distance`: a regime, or "distance" for cages; empty where nothing is swept.
   std::string sweep;
   std::string axis;  ///< what `distance` is: "distance / size"

@@ -19,7 +19,7 @@ inline constexpr int kThinPoints = 3000;
 /// Where the near form in double has lost too much, panels of up to so many are quicker than more digits.
 inline constexpr int kMostPoints = 12000;
 
-/// A triangle seen from a point, and all that formulas take there for derivatives up to order O. The triangle and the
+/// A triangle seen from a point, and the moments of formulas there for derivatives up to order O. The triangle and the
 /// point must outlive it.
 template <int O>
 class HybridMoments {
@@ -40,7 +40,8 @@ class HybridMoments {
   PanelMoments<O> on_panels_;
 };
 
-/// The request that panels get first.
+/// The panels to ask for: the steepest power of the distance, and the most Gauss points; 0 points: as many as for the
+/// first request.
 template <class F, int O>
 PanelsWanted panels_wanted(const Frame<double>& f, int points = 0) {
   constexpr int kPoints = F::far_limit * F::far_limit;
@@ -71,7 +72,7 @@ struct Hybrid {
   }
 };
 
-/// From Gauss points. \pre panels are not empty
+/// A result from Gauss points. \pre panels are not empty
 template <class F, int O>
 Hybrid<F> from_panels(HybridMoments<O>& at, const Panels& panels, std::span<const double> parameters) {
   const Frame<double>& f = at.frame();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Closed forms whose moments are sums over Gauss points on panels, and which of these formulas at one point share.
+// Closed forms whose moments are sums over Gauss points on panels; formulas at one point share these moments.
 #pragma once
 
 #include "cageproof/closed_form/triangle/engine/bounded.h"

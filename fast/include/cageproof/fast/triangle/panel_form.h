@@ -44,7 +44,7 @@ class PanelHats {
           else hats[k].c[m] = sums.sums[k][m];
     return hats;
   }
-  // The same sums in numbers that track their errors, which have no vectors.
+  // The sums point by point, for numbers that track their errors and have no vector form.
   template <int p, int D>
   std::array<Taylor<R, D>, 3> one_by_one(const Frame<R>& frame) const {
     std::array<Taylor<R, D>, 3> hats;
@@ -72,7 +72,7 @@ class PanelHats {
   const Panels& panels_;
 };
 
-/// The moments of FarForm on panels, in double or with a bound of their error.
+/// HatMoments over panels, in double or with a bound of their error.
 template <class R, int N, int M>
 using PanelForm = HatMoments<R, N, M, PanelHats<R>>;
 

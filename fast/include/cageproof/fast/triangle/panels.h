@@ -31,9 +31,9 @@ struct PanelsWanted {
   bool operator==(const PanelsWanted&) const = default;
 };
 
-/// Cuts the triangle at the middles of longest edges, until Gauss points on each panel reach what is wanted. Corners
-/// are rounded from double-doubles, so that a panel next to the point is placed as exactly as one far away. \return
-/// none where more points would be needed
+/// Cuts the triangle at the middles of longest edges, until Gauss points on each panel reach the accuracy wanted.
+/// Corners are rounded from double-doubles, so that a panel next to the point is placed as exactly as one far away.
+/// \return none where more points would be needed
 Panels cut_to_panels(const Frame<double>& frame, const Triangle<double>& t, const Vec3<double>& eta,
                      const PanelsWanted& wanted);
 

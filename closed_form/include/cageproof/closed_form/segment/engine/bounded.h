@@ -7,7 +7,7 @@
 
 namespace cageproof::closed_form::segment {
 
-/// Calls it with each entry of an order of a jet.
+/// Calls `visit` with each entry of an order of a jet.
 template <class R, int C, class Visit>
 void for_each_entry(int order, const Jet<R, C, 2>& jet, Visit&& visit) {
   for (int c = 0; c < C; ++c) {
@@ -19,7 +19,7 @@ void for_each_entry(int order, const Jet<R, C, 2>& jet, Visit&& visit) {
   }
 }
 
-/// Whether a finite number is beyond what the result may hold: `largest`, where that is double's or float's.
+/// Whether a finite number is beyond `largest`, for results in double or float.
 template <cageproof::Scalar S, class T>
 bool is_beyond(const Tracked<T>& x, double largest) {
   using std::isfinite;
@@ -27,12 +27,12 @@ bool is_beyond(const Tracked<T>& x, double largest) {
   else return isfinite(x.value) && std::abs(static_cast<double>(x.value)) > largest;
 }
 
-/// A tracked jet up to order O, rounded to S, with its bound. Entries beyond `largest`, which become infinities, are no
-/// part of the norm: those beside them keep digits of their own.
+/// A tracked jet up to order O, rounded to S, with its bound. Entries beyond `largest` become infinities and are not in
+/// the norm, so that the others keep digits of their own.
 template <int O, cageproof::Scalar S, class T, int C>
 BoundedJet<S, C, 2> bounded(const Jet<Tracked<T>, C, 2>& from, double largest) {
   using Bound = ErrorOf<S>;
-  // Squares of what multiprecision holds may leave double's range.
+  // Squares of multiprecision numbers may leave double's range.
   using Sum = std::conditional_t<is_multiprecision<T>, T, double>;
   BoundedJet<S, C, 2> result;
   result.digits = digits_of<T>;
@@ -66,7 +66,7 @@ BoundedJet<S, C, 2> bounded(const Jet<Tracked<T>, C, 2>& from, double largest) {
     });
     using std::sqrt;
     if (error == Sum(0) && !overflows) continue;
-    // Below the least normal number digits are counted from there: zeros beside infinities have none of their own.
+    // Errors of norms below the least normal number are relative to that number: zeros beside infinities have no norm.
     if constexpr (!is_multiprecision<S>) {
       const Sum least = is_multiprecision<T> ? Sum(Sum(4 / largest) * Sum(4 / largest)) : Sum(4 / largest);
       size = size < least ? least : size;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The closed form of a segment formula, kept to its promise by as many digits as that takes.
+// The closed form of a segment formula, in the first arithmetic whose error bound is small enough.
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/climb.h"
@@ -12,7 +12,7 @@
 
 namespace cageproof::closed_form::segment {
 
-/// A segment seen from a point in multiprecision, by numbers that know their errors: what formulas share there.
+/// A segment seen from a point in multiprecision, in numbers with bounds of their errors; formulas at a point share it.
 class WideFrames {
  public:
   WideFrames(const Segment<Mp200>& s, const Vec3<Mp200>& eta) : s_(s), eta_(eta) {}
@@ -35,7 +35,7 @@ class WideFrames {
       frames_;
 };
 
-/// The same of doubles.
+/// A segment and a point in doubles, seen in double and in multiprecision.
 class PointFrames {
  public:
   PointFrames(const Segment<double>& s, const Vec3<double>& eta)
@@ -45,7 +45,7 @@ class PointFrames {
 
   /// Whether the frame in double has a bound of its error.
   bool is_in_range() const { return is_in_range_; }
-  /// \tparam T double, where it is in range, or what WideFrames has
+  /// \tparam T double, \pre is_in_range(), or a type of WideFrames::tracked
   template <class T>
   const Frame<Tracked<T>>& tracked() {
     if constexpr (is_multiprecision<T>) {
@@ -63,7 +63,7 @@ class PointFrames {
   WideFrames wide_;
 };
 
-/// In the first arithmetic of the ladder whose bound is at most `tolerance`, else in the last.
+/// The formula in the first arithmetic of the ladder whose bound is at most `tolerance`, else in the last.
 template <class F, int O, class... T, class Frames, cageproof::Scalar S>
 BoundedJet<S, F::components, 2> climbed(Ladder<T...> ladder, Frames& at, std::span<const S> parameters,
                                         bool finite_part, ErrorOf<S> tolerance,
@@ -79,7 +79,7 @@ BoundedJet<S, F::components, 2> climbed(Ladder<T...> ladder, Frames& at, std::sp
 /// In double, at a point whose frames other formulas may share; the result does not depend on which do.
 /// \param finite_part Batch::finite_part \param tolerance of the relative error of each order
 /// \param largest finite number of the type that the result is narrowed to
-/// \return value and derivatives up to order O with a bound of their error; NaN where a derivative has no limit
+/// \return value and derivatives up to order O with a bound of their error; NaN or infinite without a limit
 template <class F, int O>
 BoundedJet<double, F::components, 2> bounded_form(PointFrames& at, std::span<const double> parameters, bool finite_part,
                                                   double tolerance,
@@ -101,10 +101,10 @@ BoundedJet<Mp200, F::components, 2> bounded_form(WideFrames& at, std::span<const
 }
 
 /// The closed form of a single formula at a single point. Units and limits: at the formula.
-/// \param s ends, the outward normal to the right of s0 -> s1; third coordinates are not looked at \param eta the point
+/// \param s ends, the outward normal to the right of s0 -> s1; third coordinates are ignored \param eta the point
 /// \param parameters the formula's, in the catalogue's order
 /// \return value and derivatives up to order O, in double to kTolerance, in multiprecision to all digits; float's are
-/// double's, rounded; NaN where a derivative has no limit
+/// double's, rounded; NaN or infinite without a limit
 template <class F, int O, cageproof::Scalar R>
 Jet<R, F::components, 2> closed_form(const Segment<R>& s, const Vec3<R>& eta, std::span<const R> parameters = {},
                                      bool finite_part = false) {
@@ -121,7 +121,7 @@ Jet<R, F::components, 2> closed_form(const Segment<R>& s, const Vec3<R>& eta, st
   }
 }
 
-/// The same in double, every order to kAccurateTolerance relative to its norm, also where the problem itself is
+/// The closed form in double, every order to kAccurateTolerance relative to its norm, also where the problem itself is
 /// ill-posed, with the bound of the error.
 template <class F, int O>
 BoundedJet<double, F::components, 2> accurate(const Segment<double>& s, const Vec3<double>& eta,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The segment's forms in numbers that count: as the triangle's, geometry is taken over as a whole.
+// The segment's forms in Counted numbers. As in the triangle's, each number of the geometry counts as one operation.
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/jet.h"
@@ -14,11 +14,11 @@ template <>
 Counted shifted<Counted>(const Counted& x, int exponent);
 template <>
 Counted scaled_exponential<Counted>(long double x, int shift);
-/// Each of the numbers that double's frame has is one operation.
+/// The frame in double, each of whose numbers counts as one operation.
 template <>
 Frame<Counted>::Frame(const Segment<Counted>& segment, const Vec3<Counted>& eta);
 
-/// With what frames of tracked numbers make of the others themselves: tracked_frame.h.
+/// The frame with log_r, h, log_ratio and angle computed from its other members, as tracked frames compute them.
 Frame<Counted> as_tracked(const Frame<Counted>& seen);
 
 /// The numbers of the tensor of order O.

@@ -43,11 +43,11 @@ inline double exact_sine(const ExactSegment& x, int end) {
   return static_cast<double>(Mp200(x.cross / sqrt(square(x.e) * square(x.p[end]))));
 }
 
-/// Cross products are formed in double-double, good to 2^-104 of their terms; below this multiple of the terms they are
-/// taken from exact differences.
+/// Cross products are formed in double-double, good to 2^-104 of their terms. Those below this multiple of the terms
+/// are computed exactly.
 inline constexpr double kDoubtful = 0x1p-46;
 
-/// An exact number in R, rounded once; tracked ones count that.
+/// An exact number in R, rounded once; a tracked number counts that rounding.
 template <Scalar R, class W>
 R rounded_to(const W& x) {
   if constexpr (is_tracked<R>) return R::rounded(decltype(R::value)(x), 0);

@@ -40,16 +40,16 @@ struct Complex {
 /// overflows.
 ///
 /// z_i = s_i - i h is end i as the point sees it, along the segment and its normal; closed forms are real and imaginary
-/// parts of log(z_1/z_0) = log_ratio + i angle and of powers of the z_i. What depends on a distance that is far below
-/// the unit (the nearer end's) has a scale of its own. On the segment (h = 0) every quantity is the limit from inside,
-/// where h -> 0 from below; at an end that limit is taken along the normal.
+/// parts of log(z_1/z_0) = log_ratio + i angle and of powers of the z_i. The nearer end's distance may be far below the
+/// unit, so numbers that depend on it have a scale of their own. On the segment (h = 0) every quantity is the limit
+/// from inside, where h -> 0 from below; at an end that limit is taken along the normal.
 template <Scalar R>
 struct Frame {
   using Number = R;
 
   Eigen::Matrix<R, 2, 1> u;  ///< unit direction from end 0 to end 1
   Eigen::Matrix<R, 2, 1> n;  ///< outward unit normal, to the right of u
-  std::array<int, 2> way;    ///< the signs of u, exactly: what is infinite along the segment is so where u underflows
+  std::array<int, 2> way;    ///< the signs of u, exactly: infinities along the segment need them where u underflows
   R length;
   R h;                 ///< signed distance of the point from the line, positive outside
   std::array<R, 2> s;  ///< arc length of the ends from the nearest point of the line, s[1] - s[0] = length
@@ -66,14 +66,14 @@ struct Frame {
   R near_mantissa;  ///< that modulus is near_mantissa 2^near_exponent in the caller's units
   int near_exponent;
 
-  /// To be filled in.
+  /// Empty, for functions that fill it in.
   Frame() = default;
   /// From exact differences: exact_frame.h.
   Frame(const Segment<R>& segment, const Vec3<R>& eta);
   /// From exact products, each rounded once to a wide type, tracked or not: exact_frame.h.
   template <class W>
   explicit Frame(const ExactSegmentIn<W>& x);
-  /// The same with bounds of what was rounded: tracked_frame.h. \pre no number has underflown
+  /// The frame in double with bounds of its roundings: tracked_frame.h. \pre no number has underflown
   template <std::same_as<double> D>
   explicit Frame(const Frame<D>& seen) requires is_tracked<R>;
 
@@ -81,12 +81,12 @@ struct Frame {
   const R& far_r() const { return r[1 - near_end]; }
   /// Whether the point is more than the segment's length away from it.
   bool is_far() const { return r[near_end] > length; }
-  /// Whether both ends are about as far, so that differences of what depends on their distances cancel.
+  /// Whether both ends are about equally far, so that differences between functions of their distances cancel.
   bool are_alike() const {
     const R square = length * sum;
     return 2 * (square < 0 ? R(-square) : square) < r[near_end] * r[near_end];
   }
-  /// Fills in the angle and the logarithm of the distances' ratio from all else.
+  /// Sets the angle and the logarithm of the distances' ratio from the other members.
   void set_angle_and_ratio();
   /// 1/z_i, in units of the frame. \pre not at that end
   Complex<R> scaled_inverse(int i) const {

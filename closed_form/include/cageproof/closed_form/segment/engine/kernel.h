@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The interface that the engine asks of a closed form over segments.
+// The members that the engine needs of a closed form over segments.
 //
 // A closed form is a struct in a header of its own in the folder above: `components`, the numbers of its value over
 // corners, rows and columns, and
 //   template <int O, class F, class R = typename F::Number>
 //   static Jet<R, components, 2> at(const F& frame)
-// with value and derivatives up to order O in the caller's units. Formulas with parameters have their number,
-// `parameter_count`, and take what is given of them as `at(frame, const Given<R>&)`.
+// with value and derivatives up to order O in the caller's units. Formulas with parameters state `parameter_count`, and
+// have `at(frame, const Given<R>&)`.
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/jet.h"
@@ -16,7 +16,7 @@
 
 namespace cageproof::closed_form::segment {
 
-/// The logarithm in a kernel, |factor| r^power |ln r|, of whose size a potential's terms are next to its zeros too.
+/// The logarithm in a kernel, |factor| r^power |ln r|. A potential's terms have this size next to its zeros, too.
 /// Formulas that have one state it as `logarithmic_part(std::span<const double> parameters)`.
 struct LogarithmicPart {
   double factor;
@@ -24,7 +24,7 @@ struct LogarithmicPart {
   bool over_height = false;  ///< the height over the line takes the place of one r
 };
 
-/// The input of a formula with parameters, beside the geometry.
+/// The input of a formula with parameters, except the geometry.
 template <Scalar R>
 struct Given {
   std::span<const R> parameters;  ///< in the order of Formula::parameters

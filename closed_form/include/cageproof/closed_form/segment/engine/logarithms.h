@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Integrals of the distance's logarithm along a segment, in units of the frame: with the unit's own logarithm,
-// unit_logarithm(), times what stands before the logarithm, they are those of the caller.
+// Integrals of the distance's logarithm along a segment, in units of the frame. The caller's need unit_logarithm()
+// times the logarithm's factor in addition.
 #pragma once
 
 #include "cageproof/closed_form/segment/engine/frame.h"
@@ -20,7 +20,7 @@ R integral_of_logarithm(const Frame<R>& f) {
   const std::array<R, 2>&s = f.s, &log_r = f.log_r;
   R ends;
   if (f.is_far()) {
-    // Both terms are much larger than their difference.
+    // The two ends' terms are much larger than their difference, so the difference is written out.
     ends = (f.length * (log_r[0] + log_r[1]) + f.sum * f.log_ratio) / 2;
   } else {
     const R at_near = f.at_end ? R(0) : R(s[f.near_end] * log_r[f.near_end]),
@@ -33,7 +33,7 @@ R integral_of_logarithm(const Frame<R>& f) {
 /// int Gamma_k ln r. With lambda = ln(r1/r0) and alpha the angle under which the segment is seen:
 ///   int Gamma_0 ln r = length ln(r1)/2 + ((s0 (s1 + length) - h^2) lambda/2 + s1 h alpha)/length - (2 s1 + length)/4,
 ///   int Gamma_1 ln r = length ln(r1)/2 + ((h^2 - s0^2) lambda/2 - s0 h alpha)/length + (2 s0 - length)/4,
-/// or their mirror images, so that of the nearer end's logarithm no more is left than what is small there.
+/// or their mirror images, so that the nearer end's logarithm has only small factors.
 template <Scalar R>
 std::array<R, 2> hat_logarithms(const Frame<R>& f) {
   const R &s0 = f.s[0], &s1 = f.s[1], &length = f.length, square = f.h * f.h;
@@ -52,8 +52,8 @@ struct SquareLogarithm {
   R along{}, across{};  ///< int x (2 ln r - 1) along the segment and its normal
 };
 
-/// From the ends: int r^2 (ln r - 1) = [(s^3/3 + h^2 s)(ln r - 1) - s^3/9 - 2 h^2 s/3] + 2 h^3 alpha/3,
-/// int x (2 ln r - 1) = [r^2 (ln r - 1)] u - h (2 int ln r - length) n.
+/// The integrals from terms at the ends: int r^2 (ln r - 1) = [(s^3/3 + h^2 s)(ln r - 1) - s^3/9 - 2 h^2 s/3] + 2 h^3
+/// alpha/3, int x (2 ln r - 1) = [r^2 (ln r - 1)] u - h (2 int ln r - length) n.
 template <Scalar R>
 SquareLogarithm<R> square_logarithm(const Frame<R>& f) {
   // [factor (ln r - 1)] between the ends; a factor that vanishes at an end takes its logarithm with it.

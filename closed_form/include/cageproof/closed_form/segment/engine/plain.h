@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The closed form of a segment formula as one would write it: in the scalar's own arithmetic, with its stable branches,
-// and nothing wider. The headers that this takes need the standard library and Eigen's vectors.
+// and nothing wider. The headers included need only the standard library and Eigen's vectors.
 #pragma once
 
 #include "cageproof/closed_form/segment/engine/kernel.h"
@@ -10,8 +10,8 @@ namespace cageproof::closed_form::segment {
 
 /// A single formula at a single point. Units and limits: at the formula. Digits are lost where its terms cancel: far
 /// from the segment, and next to its line.
-/// \tparam R float or double, which every operation is in
-/// \param s ends, the outward normal to the right of s0 -> s1; third coordinates are not looked at \param eta the point
+/// \tparam R float or double, the type of every operation
+/// \param s ends, the outward normal to the right of s0 -> s1; third coordinates are ignored \param eta the point
 /// \param parameters the formula's, in the catalogue's order \param finite_part Batch::finite_part
 /// \return value and derivatives up to order O; NaN where a derivative has no limit, as the scalar's own numbers see
 /// the point

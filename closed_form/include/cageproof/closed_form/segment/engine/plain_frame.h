@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The frame in a scalar's own arithmetic, from the four coordinates of the ends and two of the point: what a program or
-// a shader has that knows no wider numbers.
+// The frame in a scalar's own arithmetic, from the four coordinates of the ends and two of the point: as a program or a
+// shader without wider numbers can compute it.
 #pragma once
 
 #include "cageproof/closed_form/segment/engine/frame.h"
@@ -32,7 +32,7 @@ Frame<R> plain_frame(const Segment<R>& segment, const Vec3<R>& eta) {
   f.near_mantissa = f.r[f.near_end];
   f.at_end = f.near_mantissa == 0;
   const R across = (along[0] * p[f.near_end][1] - along[1] * p[f.near_end][0]) / f.length;
-  // On the line what is seen is the limit from inside.
+  // On the line the frame is the limit from inside.
   f.h = f.at_end || across == 0 ? -R(0) : across;
   if (f.at_end) f.near = {R(0), R(1)};
   else f.near = {f.s[f.near_end] / f.near_mantissa, -f.h / f.near_mantissa};

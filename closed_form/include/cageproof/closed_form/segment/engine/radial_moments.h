@@ -74,7 +74,7 @@ class RadialMoments {
     }
     return g.log * power(f_.h, k) * sum;
   }
-  /// The same with the hat function of an end before s^i.
+  /// integral(i, g, k) with the hat function of an end as a factor.
   R integral_of_hat(int end, int i, const Radial<R>& g, int k) const {
     const R difference = f_.s[1 - end] * integral(i, g, k) - integral(i + 1, g, k);
     return (end == 0 ? difference : R(-difference)) / f_.length;

@@ -7,13 +7,13 @@
 
 namespace cageproof::closed_form::triangle {
 
-/// The first order without a limit, on the border: its entries without the logarithm of the distance that some have,
-/// and with it, at a distance of one e-th.
+/// On the border, the first order without a limit. `without` and `with` have its entries with EdgeForm's `border_log` 0
+/// and 1; an entry's difference is the factor of its logarithm of the distance, if it has one.
 template <class F, int O, Scalar S>
 struct Logarithms {
   int order;
   Jet<S, F::components> without, with;
-  S noise;  ///< what differs by rounding alone
+  S noise;  ///< differences up to this are rounding
 
   /// \tparam T the arithmetic, with S's digits
   template <class T, class Moments>
@@ -35,7 +35,7 @@ struct Logarithms {
     noise = 64 * unit_roundoff<S>() * size;
   }
 
-  /// Calls it with each entry of that order of all jets.
+  /// Calls `visit` for each entry of that order, with the entry of each jet.
   template <class Visit, class... Jets>
   void for_each(Visit&& visit, Jets&... jets) const {
     for (int c = 0; c < F::components; ++c) {
@@ -47,7 +47,7 @@ struct Logarithms {
     }
   }
 
-  /// Infinite, with the logarithm's sign, where an entry has one, else zero.
+  /// Returns infinities with the logarithm's sign for entries that have one, and zero for others.
   Jet<S, F::components> infinities() const {
     using std::abs;
     Jet<S, F::components> signs = without;
@@ -60,7 +60,7 @@ struct Logarithms {
     return signs;
   }
 
-  /// Whether an entry's logarithm, if it has one, is lost in rounding.
+  /// Whether rounding may hide the logarithm of an entry.
   bool is_doubtful() const {
     using std::abs;
     bool doubtful = false;
@@ -70,10 +70,10 @@ struct Logarithms {
   }
 };
 
-/// On the border, at the first order without a limit: where that diverges like minus the logarithm of the distance, its
-/// entries become infinite with the sign of the logarithm's factor; entries without one keep the limit from inside
-/// where there is one, else NaN. A factor may be as small as the tilt of a face against an axis: those that double
-/// cannot tell from zero are taken from 200 digits, which call factors zero below 1e-198 of the largest.
+/// Sets the entries of the first order without a limit, on the border. Entries that diverge like minus the logarithm of
+/// the distance become infinite with the sign of its factor; others are the limit from inside where there is one, else
+/// NaN. A factor may be as small as the tilt of a face against an axis, so factors that double cannot tell from zero
+/// are computed in 200 digits, where factors below about 1e-198 of the largest count as zero.
 template <class F, int O, Scalar S, class Moments>
 void set_infinities(Moments& at, std::span<const S> parameters, int limit, Jet<S, F::components>& jet) {
   if constexpr (F::on_border != OnBorder::NoLimit && F::border_order <= O) {

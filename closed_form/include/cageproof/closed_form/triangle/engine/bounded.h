@@ -7,9 +7,9 @@
 
 namespace cageproof::closed_form::triangle {
 
-/// The relative error of one order's entries that are at most `largest`, an infinity where it has no bound. Those
-/// beyond become infinities: they are no part of the norm, and their signs must be certain. In a type whose range holds
-/// squares of what T does.
+/// The relative error of one order's entries that are at most `largest`; infinite where it has no bound. Larger entries
+/// will be rounded to infinities: they are not in the norm, and their signs must be certain. Squares are summed in long
+/// double, whose range holds those of T's numbers. \param least the smallest norm that errors are divided by
 template <class F, int O, class T>
 long double error_within(const Components<F, Tracked<T>, O>& from, int order, long double largest, long double least) {
   using Number = std::conditional_t<is_multiprecision<T>, long double, double>;
@@ -39,7 +39,7 @@ long double error_within(const Components<F, Tracked<T>, O>& from, int order, lo
 template <class F, int O, Scalar S, class T>
 BoundedJet<S, F::components> bounded(const Components<F, Tracked<T>, O>& from, const S& unit, int limit,
                                      double largest) {
-  // Squares of what multiprecision holds may leave double's range.
+  // Squares of multiprecision numbers may leave double's range.
   using Sum = std::conditional_t<is_multiprecision<T>, T, double>;
   using Bound = ErrorOf<S>;
   const auto squared = [](const Sum& x) { return Sum(x * x); };
@@ -69,11 +69,11 @@ BoundedJet<S, F::components> bounded(const Components<F, Tracked<T>, O>& from, c
   for (int o = 0; o <= O && o < limit; ++o) {
     using std::sqrt;
     result.bound[o] = std::same_as<T, S> ? Bound(0) : static_cast<Bound>(unit_roundoff<S>());
-    // In the components' unit. Norms below its square root have no entry beyond it.
+    // `end` is `largest` in the components' unit. A norm below `end` has no entry beyond it.
     const int exponent = is_multiprecision<S> ? 0 : (F::degree - o) * std::ilogb(static_cast<double>(unit));
     const double end = std::ldexp(largest, -exponent);
     if (std::isfinite(largest) && !(size[o] < squared(Sum(end)))) {
-      // Digits of what is below the least normal number are counted from there.
+      // Errors of norms below the least normal number are relative to that number.
       const long double within = error_within<F, O, T>(from, o, end, std::ldexp(4 / largest, -exponent));
       result.bound[o] += static_cast<Bound>(within);
     } else if (error[o] != Sum(0))
@@ -83,7 +83,7 @@ BoundedJet<S, F::components> bounded(const Components<F, Tracked<T>, O>& from, c
   return result;
 }
 
-/// The same in double, rounded.
+/// The jet rounded to double, with the bound of that.
 template <int C>
 BoundedJet<double, C> rounded(const BoundedJet<Mp200, C>& wide) {
   BoundedJet<double, C> result{narrowed<double>(wide.jet)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The closed form of a triangle formula, kept to its promise by as many digits as that takes.
+// The closed form of a triangle formula, in the first arithmetic whose error bound is small enough.
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/climb.h"
@@ -7,8 +7,8 @@
 
 namespace cageproof::closed_form::triangle {
 
-/// The near form in the first arithmetic of the ladder whose bound is at most `tolerance`, else in the last; where it
-/// has no value, what is said instead. \param frame in whatever type sees exactly where the point is
+/// The near form in the first arithmetic of the ladder whose bound is at most `tolerance`, else in the last. Orders
+/// without a limit are NaN or infinite (border.h, diverging_weights). \param frame in any type, with exact zeros
 /// \param largest as of bounded()
 template <class F, int O, class... T, class R, class Moments, Scalar S>
 BoundedJet<S, F::components> climbed(Ladder<T...> ladder, const Frame<R>& frame, Moments& at,
@@ -25,7 +25,7 @@ BoundedJet<S, F::components> climbed(Ladder<T...> ladder, const Frame<R>& frame,
   return result;
 }
 
-/// The widest arithmetics that results in double are computed in. Beside entries that leave double's range, and far
+/// The ladder of results in double, after the arithmetics given. Next to entries that leave double's range, and far
 /// from triangles that are as small as doubles can be, forms cancel by more than 400 digits.
 template <class... Narrower>
 using DoublesLadder = Ladder<Narrower..., Mp200, Mp400, Mp2000>;
@@ -33,7 +33,7 @@ using DoublesLadder = Ladder<Narrower..., Mp200, Mp400, Mp2000>;
 /// In double, at a point whose moments other formulas may share; the result does not depend on which do.
 /// \param finite_part Batch::finite_part \param tolerance of the relative error of each order
 /// \param largest finite number of the type that the result is narrowed to
-/// \return value and derivatives up to order O with a bound of their error; NaN where a derivative has no limit
+/// \return value and derivatives up to order O with a bound of their error; NaN or infinite without a limit
 template <class F, int O>
 BoundedJet<double, F::components> bounded_form(PointMoments<O>& at, std::span<const double> parameters,
                                                bool finite_part, double tolerance,
@@ -51,7 +51,7 @@ BoundedJet<double, F::components> bounded_form(PointMoments<O>& at, std::span<co
 template <class F, int O>
 BoundedJet<Mp200, F::components> bounded_form(WideMoments<O>& at, std::span<const Mp200> parameters, bool finite_part,
                                               int digits) {
-  // Results of double the digits are rounded once; the bounds of their sums are a few roundings more.
+  // One unit of the last digit for rounding the result, and one for the bound of the wider arithmetic.
   const ErrorOf<Mp200> tolerance = 2 * std::pow(10.0L, -digits);
   const auto in = [&](auto ladder) {
     return climbed<F, O>(ladder, at.template tracked<Mp200>().frame(), at, parameters, finite_part, tolerance);
@@ -64,7 +64,7 @@ BoundedJet<Mp200, F::components> bounded_form(WideMoments<O>& at, std::span<cons
 /// The closed form of a single formula at a single point. Units and limits: at the formula.
 /// \param t corners, counter-clockwise seen from outside \param eta the point \param parameters F::parameter_count of
 /// them \return value and derivatives up to order O, in double to kTolerance, in multiprecision to all digits; float's
-/// are double's, rounded; NaN where a derivative has no limit
+/// are double's, rounded; NaN or infinite without a limit
 template <class F, int O, Scalar R>
 Jet<R, F::components> closed_form(const Triangle<R>& t, const Vec3<R>& eta, std::span<const R> parameters,
                                   bool finite_part = false) {
@@ -82,7 +82,7 @@ Jet<R, F::components> closed_form(const Triangle<R>& t, const Vec3<R>& eta, std:
   }
 }
 
-/// The same in double, every order to kAccurateTolerance relative to its norm, also where the problem itself is
+/// The closed form in double, every order to kAccurateTolerance relative to its norm, also where the problem itself is
 /// ill-posed, with the bound of the error.
 template <class F, int O>
 BoundedJet<double, F::components> accurate(const Triangle<double>& t, const Vec3<double>& eta,

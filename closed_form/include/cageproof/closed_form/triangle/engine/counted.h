@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The triangle's forms in numbers that count. The engine's templates are taken as they are; what they have for double
-// alone is said for Counted here: where geometry comes from, and which series.
+// The triangle's forms in Counted numbers, by the engine's own templates. Here are the parts that these have only for
+// double: the source of the geometry, and the series.
 #pragma once
 
 #include "cageproof/closed_form/explain.h"
@@ -13,7 +13,7 @@ namespace cageproof::closed_form::triangle {
 /// operation, whose exact outcome is the geometry's.
 template <>
 template <>
-Frame<Counted>::Frame(const Frame<double>& wider);
+Frame<Counted>::Frame(const Frame<double>& other);
 
 /// Tracked numbers take atanh where double takes its series; counted ones take either. \return what was set before
 bool follow_tracked(bool tracked);

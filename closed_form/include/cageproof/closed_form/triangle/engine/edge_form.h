@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The edge form: solid angle, int 1/r and int r over a triangle, plain and weighted with hat functions, as Taylor
-// polynomials.
+// The edge form, a triangle's moments as sums over its three edges: solid angle, int 1/r and int r, plain and weighted
+// with hat functions, as Taylor polynomials.
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/constants.h"
@@ -11,19 +11,20 @@
 
 namespace cageproof::closed_form::triangle {
 
-/// A potential's moments near the triangle. Source: divergence theorem over the triangle, one term per edge; x = xi -
-/// eta, d <= 0 inside. On the triangle (d = 0) every quantity is the limit from inside, eta - t n with t -> 0+.
+/// A potential's moments near the triangle. Source: divergence theorem over the triangle, one term per edge. x = xi -
+/// eta goes from the point eta to xi on the triangle; d <= 0 inside. On the triangle (d = 0) every moment is the limit
+/// from inside, eta - t n with t -> 0+.
 ///
-/// N is the highest degree of J, I and A; M that of omega, L and B, of which they need N - 1 (tensor formulas need no
-/// more). Moments are computed when first asked for, and kept: several formulas may take them from one form, within one
+/// N is the highest degree of J, I and A, which need degree N - 1 of omega and L; M >= N - 1 is that of omega, L and B.
+/// J, I, A and B are computed when first asked for, and kept: several formulas may take them from one form, within one
 /// thread. The frame must outlive it.
 template <class R, int N, int M>
 class EdgeForm {
   static_assert(M >= 0 && M <= 3 && N <= M + 1);
 
  public:
-  /// \param border_log stands for the logarithm that diverges on the border; with zero, results there are their finite
-  /// parts
+  /// \param border_log the value of L, the integral of 1/r over an edge, for points on the edge, where it diverges;
+  /// with zero, results there leave L out, as Batch::finite_part asks
   explicit EdgeForm(const Frame<R>& frame, const R& border_log = R(0));
 
   const Frame<R>& frame() const { return frame_; }
@@ -57,34 +58,37 @@ class EdgeForm {
   std::array<Taylor<R, M>, 3> hats_of_solid_angle() const;
 
   const FrameEdge<R>& edge(int i) const { return frame_.edges[i]; }
-  static std::array<R, 3> scaled(const R& a, const Vec3<R>& u, const R& b, const Vec3<R>& v) {
+  // a u + b v.
+  static std::array<R, 3> combined(const R& a, const Vec3<R>& u, const R& b, const Vec3<R>& v) {
     return {a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]};
   }
   static Vec3<R> negative(const Vec3<R>& v) { return {-v[0], -v[1], -v[2]}; }
+  // nu.g of edge i.
   R across(int i, const Vec3<R>& g) const {
     const Vec3<R>& nu = edge(i).nu;
     return nu[0] * g[0] + nu[1] * g[1] + nu[2] * g[2];
   }
   template <int D>
-  static Taylor<R, D> rest(Taylor<R, D> f, const R& value) {
+  static Taylor<R, D> with_value(Taylor<R, D> f, const R& value) {
     f.c[0] = value;
     return f;
   }
 
-  // The polynomials of 1/r over edge i, and its part of omega: grad omega = sum K3 (d nu + h n), whose factor has no
-  // second part.
+  // Sets L_[i], and adds edge i's part of omega: grad omega = sum K3 (d nu + h n). The change of this vector with delta
+  // is normal to delta, so only its constant part enters.
   void add_edge(int i);
   const std::array<Taylor<R, N>, 3>& P() const {
     if (!P_) P_ = {edge_distance(0), edge_distance(1), edge_distance(2)};
     return *P_;
   }
   Taylor<R, N> edge_distance(int i) const;
-  // r1^p - r0^p, its value without cancellation.
+  // r1^p - r0^p as a polynomial, `value` its constant without cancellation.
   template <int D>
   static Taylor<R, D> ends(const Vec3<R>& p0, const Vec3<R>& p1, const R& r0, const R& r1, int p, const R& value) {
     Taylor<R, D> f;
     if constexpr (D >= 1) {
-      // At a corner its own powers have no derivatives: what these enter vanishes, or has no limit.
+      // At a corner, powers of its distance have no derivatives: they would be multiplied by zero, or enter orders
+      // without a limit.
       if (r1 != R(0)) f = distance_power<D>(p1, power(r1, p), r1, p);
       if (r0 != R(0)) f.add(R(-1), distance_power<D>(p0, power(r0, p), r0, p));
     }
@@ -101,8 +105,8 @@ class EdgeForm {
 
   static R dot(const Vec3<R>& a, const Vec3<R>& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-  /// van Oosterom-Strackee, with the limits from inside on the triangle: 2 pi within, pi on an edge, the angle at a
-  /// corner.
+  /// van Oosterom-Strackee; next to an edge, angles edge by edge. On the triangle the limits from inside: 2 pi within,
+  /// pi on an edge, the triangle's angle at a corner.
   R solid_angle() const;
 
   const Frame<R>& frame_;
@@ -132,7 +136,7 @@ Taylor<R, N> EdgeForm<R, N, M>::inverse_distance() const {
   for (int k = 1; k <= N; ++k) {
     j.add_raised(k, frame_.n, omega_);
     for (int i = 0; i < 3; ++i)
-      j.add_raised(k, Vec3<R>(negative(edge(i).nu)), k == 1 ? rest(L_[i], odd_[i].L_rest) : L_[i]);
+      j.add_raised(k, Vec3<R>(negative(edge(i).nu)), k == 1 ? with_value(L_[i], odd_[i].L_rest) : L_[i]);
     j.divide_part(k, R(k));
   }
   return j;
@@ -151,7 +155,7 @@ Taylor<R, N> EdgeForm<R, N, M>::distance() const {
   for (int k = 1; k <= N; ++k) {
     f.add_raised(k, frame_.n, height);
     for (int i = 0; i < 3; ++i)
-      f.add_raised(k, Vec3<R>(negative(edge(i).nu)), k == 1 ? rest(p[i], odd_[i].P_rest) : p[i]);
+      f.add_raised(k, Vec3<R>(negative(edge(i).nu)), k == 1 ? with_value(p[i], odd_[i].P_rest) : p[i]);
     f.divide_part(k, R(k));
   }
   return f;
@@ -160,8 +164,8 @@ Taylor<R, N> EdgeForm<R, N, M>::distance() const {
 template <class R, int N, int M>
 std::array<Taylor<R, N>, 3> EdgeForm<R, N, M>::hats_over_distance() const {
   const Taylor<R, N>& j = J();
-  const std::array<Taylor<R, N>, 3> p{rest(P()[0], odd_[0].P_rest), rest(P()[1], odd_[1].P_rest),
-                                      rest(P()[2], odd_[2].P_rest)};
+  const std::array<Taylor<R, N>, 3> p{with_value(P()[0], odd_[0].P_rest), with_value(P()[1], odd_[1].P_rest),
+                                      with_value(P()[2], odd_[2].P_rest)};
   std::array<Taylor<R, N>, 3> a;
   for (int k = 0; k < 3; ++k) {
     const Vec3<R> g = frame_.hat_gradient(k);
@@ -173,8 +177,8 @@ std::array<Taylor<R, N>, 3> EdgeForm<R, N, M>::hats_over_distance() const {
 
 template <class R, int N, int M>
 std::array<Taylor<R, M>, 3> EdgeForm<R, N, M>::hats_of_solid_angle() const {
-  const std::array<Taylor<R, M>, 3> l{rest(L_[0], odd_[0].L_rest), rest(L_[1], odd_[1].L_rest),
-                                      rest(L_[2], odd_[2].L_rest)};
+  const std::array<Taylor<R, M>, 3> l{with_value(L_[0], odd_[0].L_rest), with_value(L_[1], odd_[1].L_rest),
+                                      with_value(L_[2], odd_[2].L_rest)};
   std::array<Taylor<R, M>, 3> b;
   for (int k = 0; k < 3; ++k) {
     const Vec3<R> g = frame_.hat_gradient(k);
@@ -207,7 +211,7 @@ void EdgeForm<R, N, M>::add_edge(int i) {
       K3 = edge_power<M - 1>(e, frame_.n, frame_.d, -3, o.K3, ends<M - 2>(p0, p1, r0, r1, -3, o.ends[2]), K5);
     }
     L_[i] = edge_power<M>(e, frame_.n, frame_.d, -1, o.L, ends<M - 1>(p0, p1, r0, r1, -1, o.ends[1]), K3);
-    const std::array<R, 3> turn = scaled(frame_.d, e.nu, e.h, frame_.n);
+    const std::array<R, 3> turn = combined(frame_.d, e.nu, e.h, frame_.n);
     for (int k = 1; k <= M; ++k) omega_.add_raised(k, turn, K3);
   }
 }
@@ -243,8 +247,8 @@ R EdgeForm<R, N, M>::solid_angle() const {
     const R height = abs(d);
     R sum = R(0);
     if (edge(0).h < R(0) || edge(1).h < R(0) || edge(2).h < R(0)) {
-      // Beside the triangle the angles in its plane sum up to nothing, so that only what the height takes off them is
-      // summed: atan(s height/(h r)) at each end.
+      // Over the plane outside the triangle the angles in the plane sum to zero, so the sum is over the angles that the
+      // height takes off them: atan(s height/(h r)) at each end.
       const auto taken = [&](const FrameEdge<R>& e, const R& along, const R& away) {
         return e.h < R(0) ? R(atan2(R(-along * height), R(-e.h * away))) : R(atan2(R(along * height), R(e.h * away)));
       };

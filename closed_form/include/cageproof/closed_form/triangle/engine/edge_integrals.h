@@ -8,7 +8,7 @@
 namespace cageproof::closed_form::triangle {
 
 /// True when the point lies on the edge itself, or so close to its end that the distance underflows: there the
-/// integrals of 1/r and beyond diverge.
+/// integrals of 1/r and of steeper powers diverge.
 template <class R>
 bool on_edge(const FrameEdge<R>& e) {
   return e.D2 == R(0) && ((!(e.s0 > R(0)) && !(e.s1 < R(0))) || e.r0 == R(0) || e.r1 == R(0));
@@ -38,12 +38,12 @@ R atanh_excess(const R& z) {
   else return atanh_excess_by_function(z);
 }
 
-/// The values of the integrals over one edge of odd powers of r (edge form, table of per-edge integrals; K7 derived
-/// likewise: with t = s/r it is D2^-3 int (1 - t^2)^2 dt, whose mean over the span is a sum of squares).
+/// The values of the integrals over one edge of odd powers of r. K3, K5 and K7 are found by t = s/r; K7, for example,
+/// is D2^-3 int (1 - t^2)^2 dt, whose mean over the span is a sum of squares.
 ///
-/// Sums over a triangle's edges of 1/r and r, weighted with the normals, lose what the edges have in common, since the
-/// normals times the lengths add up to nothing. So there is a second value with the part of a distance `reference`,
-/// shared by all edges, left out.
+/// Sums of 1/r and r over a triangle's edges, weighted with the normals, lose the part that the edges share, since the
+/// normals times the lengths add up to zero. So `_rest` leaves out the part of a distance `reference`, the same for all
+/// edges.
 template <class R>
 struct OddIntegrals {
   R L;                    ///< 1/r, which diverges on the edge itself
@@ -53,7 +53,7 @@ struct OddIntegrals {
   R K3, K5, K7;           ///< r^-3, r^-5, r^-7
   std::array<R, 4> ends;  ///< r1^p - r0^p for p = 1, -1, -3, -5
 
-  /// \param border_log what L is taken for on the edge itself
+  /// \param border_log the value of L on the edge itself, where the integral diverges
   OddIntegrals(const Frame<R>& f, int i, const R& border_log) {
     using std::log;
     const FrameEdge<R>& e = f.edges[i];
@@ -69,8 +69,8 @@ struct OddIntegrals {
       const R excess = atanh_excess(z);
       L = (e.length / mean) * (R(1) + excess);
       L_rest = (e.length / mean) * (excess - mean_rest / reference);
-      // The mean of r over an edge is the mean of its ends less this, in the ellipse's coordinates with the corners as
-      // foci.
+      // The mean of r over an edge is the mean of r at its ends less this term, in the coordinates of the ellipse whose
+      // foci are the corners.
       P_rest = e.length * mean_rest - e.D2 * (e.length / mean) * (z * z / (R(1) - z * z) - excess) / R(2);
       P = P_rest + e.length * reference;
     } else {
@@ -93,15 +93,15 @@ struct OddIntegrals {
     ends[1] = -difference / product;
     ends[2] = ends[1] * (q0 + R(1) / product + q1);
     ends[3] = ends[1] * (q0 * q0 + q1 * q1 + (q0 + q1) / product + q0 * q1);
-    // On the border what these enter vanishes, or has no limit.
+    // On the border these are multiplied by zero, or enter orders that have no limit.
     if (on_edge(e)) K3 = K5 = K7 = R(0);
     if (product == R(0)) ends[1] = ends[2] = ends[3] = R(0);
   }
 };
 
 /// The integral of r^p over an edge up to degree N, from that of r^(p-2) (`inner`) and the end values r1^p - r0^p
-/// (`ends`): with D from the point to the nearest point of the line, grad int r^p = -(r1^p - r0^p) u - p D int r^(p-2),
-/// and k f_k = delta . (grad f)_{k-1}.
+/// (`ends`). With the vector D from the point to the nearest point of the line (D2 = |D|^2), grad int r^p = -(r1^p -
+/// r0^p) u - p D int r^(p-2), and k f_k = delta . (grad f)_{k-1}.
 template <int N, class R, int E, int I>
 Taylor<R, N> edge_power(const FrameEdge<R>& e, const Vec3<R>& n, const R& d, int p, const R& value,
                         const Taylor<R, E>& ends, const Taylor<R, I>& inner) {

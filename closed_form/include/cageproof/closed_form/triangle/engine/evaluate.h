@@ -24,7 +24,7 @@ using Components = std::array<Taylor<R, O>, F::components>;
 template <class F, class R, int O>
 using NearForm = typename F::template Near<F, R, O>;
 
-/// From moments of either kind, up to degree O.
+/// A formula's components from near or far moments, up to degree O.
 template <class F, int O, class R, class Form>
 Components<F, R, O> composed(const Form& moments, std::span<const R> parameters) {
   Components<F, R, O> out;
@@ -32,15 +32,14 @@ Components<F, R, O> composed(const Form& moments, std::span<const R> parameters)
   return out;
 }
 
-/// From the form near the triangle, up to degree O. \param border_log as EdgeForm's
+/// A formula's components from its near form, up to degree O. \param border_log as EdgeForm's
 template <class F, int O, class R, class... BorderLog>
 Components<F, R, O> near_components(const Frame<R>& frame, std::span<const R> parameters,
                                     const BorderLog&... border_log) {
   return composed<F, O, R>(NearForm<F, R, O>(frame, border_log...), parameters);
 }
 
-/// The numbers of derivative order o in a polynomial: f, f_i, f_ij for i <= j, with the factor by which a coefficient
-/// is multiplied.
+/// The factor that turns coefficient m into a derivative, for orders up to 2: the product of its exponents' factorials.
 template <int O>
 constexpr int derivative_factor(int m) {
   int factor = 1;
@@ -67,7 +66,7 @@ Jet<R, F::components> finish(const Components<F, R, O>& from, const R& unit, int
       R x = std::numeric_limits<R>::quiet_NaN();
       if (order < first_divergent) {
         x = from[c].c[m] * R(derivative_factor<O>(m));
-        // A factor by itself may leave the range of numbers where a result does not.
+        // The scale may leave the range of numbers where the result does not.
         if constexpr (!is_multiprecision<R>) {
           if (std::isnormal(scale[order])) x *= scale[order];
           else x = std::ldexp(x, exponent[order]);

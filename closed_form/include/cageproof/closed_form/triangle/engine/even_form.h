@@ -20,20 +20,20 @@ template <class R>
 struct EvenIntegrals {
   R K2;             ///< r^-2: the edge's angle over its line's distance
   R K4, K6;         ///< r^-4, r^-6
-  R in_plane_rest;  ///< h times the integral of 1/(r^2 rho^2), rho the distance from the point's projection
+  R in_plane_rest;  ///< h times the integral of 1/(r^2 rho^2), rho the distance to the point's projection
 
   EvenIntegrals(const FrameEdge<R>& e, const R& d) {
     using std::abs, std::atan2, std::sqrt;
     const R across = sqrt(e.D2);
     const R product = e.s0 * e.s1;
     K2 = across == R(0) ? R(e.length / product) : R(atan2(e.length * across, e.D2 + product) / across);
-    // Two angles' difference is taken as one angle, which leaves no small divisor.
-    const R reach = abs(e.h);
-    const R angle = atan2(e.length * reach, reach * reach + product);
-    const R step = d * d / (across + reach);
-    const R turn = atan2(e.length * step * (reach * across - product),
-                         (reach * reach + product) * (e.D2 + product) + e.length * e.length * reach * across);
-    in_plane_rest = (angle * step + reach * turn) / (across * d * d);
+    // The difference of two angles is computed as one angle, `turn`, so that nothing is divided by a small number.
+    const R beside = abs(e.h);
+    const R angle = atan2(e.length * beside, beside * beside + product);
+    const R step = d * d / (across + beside);
+    const R turn = atan2(e.length * step * (beside * across - product),
+                         (beside * beside + product) * (e.D2 + product) + e.length * e.length * beside * across);
+    in_plane_rest = (angle * step + beside * turn) / (across * d * d);
     if (e.h < R(0)) in_plane_rest = -in_plane_rest;
     const R q0 = R(1) / (e.r0 * e.r0), q1 = R(1) / (e.r1 * e.r1);
     if (across == R(0)) {
@@ -48,8 +48,8 @@ struct EvenIntegrals {
   }
 
  private:
-  // Next to the line beyond the ends the quotients cancel, K6 by the fourth power of the distance: there the integrals
-  // of s^-2m times binomial coefficients, in powers of -D2/s^2. In double the running error asks for more digits.
+  // Next to the line beyond the ends the quotients cancel, K6 by the fourth power of the distance. Series in powers of
+  // -D2/s^2 replace them in multiprecision; in narrower types the running error asks for more digits.
   void set_beyond(const FrameEdge<R>& e) {
     using std::abs;
     const bool first = abs(e.s0) < abs(e.s1);
@@ -93,9 +93,9 @@ class EvenForm {
  private:
   static constexpr int K = N >= 1 ? N - 1 : 0;
 
-  // Whether d is next to nothing beside the distance: off the plane each derivative divides by d, while in it what is
-  // left out of second derivatives is d over the distance: less than what half of the digits tell, which are as many
-  // as anybody asks of this arithmetic.
+  // Whether in_plane() is to be used. off_plane() divides by d for each derivative; in_plane() leaves a relative
+  // d/distance out of second derivatives, here below half of the digits, and no more digits are asked of this
+  // arithmetic.
   bool is_flat() const {
     if (frame_.d == R(0)) return true;
     if constexpr (kDigits < R >> 0) {
@@ -120,7 +120,7 @@ class EvenForm {
   }
   static Vec3<R> negative(const Vec3<R>& v) { return {-v[0], -v[1], -v[2]}; }
 
-  // r1^p - r0^p, p = -2 or -4, its value without cancellation.
+  // r1^p - r0^p as a polynomial, p = -2 or -4, its constant without cancellation.
   template <int D>
   Taylor<R, D> ends(int i, int p) const {
     const FrameEdge<R>& e = frame_.edges[i];
@@ -163,8 +163,8 @@ template <class R, int N>
 std::array<Taylor<R, N>, 3> EvenForm<R, N>::off_plane() const {
   Taylor<R, N> F;
   for (int i = 0; i < 3; ++i) F.add_linear(frame_.edges[i].h, negative(frame_.edges[i].nu), K2_[i]);
-  // int 1/r^4 = F/(2 d^2); where the projection lies outside F vanishes with d^2, and the in-plane parts give it
-  // without that quotient.
+  // int 1/r^4 = F/(2 d^2), and `quotient` is F/d. Where the projection lies outside the triangle F vanishes with d^2,
+  // so in_plane_rest gives the quotient.
   const auto& e = frame_.edges;
   const bool within = e[0].h >= R(0) && e[1].h >= R(0) && e[2].h >= R(0);
   Taylor<R, N> quotient;

@@ -19,16 +19,17 @@ R unit_of(const R& x) {
   else return std::isfinite(x) ? std::ldexp(R(1), std::ilogb(x) + 1) : std::numeric_limits<R>::infinity();
 }
 
-/// Products of geometry are formed in double-double, good to 2^-104 of their terms; below this multiple of the terms
-/// too few digits are left of them, and they are taken from exact differences.
+/// Products of geometry are formed in double-double, good to 2^-104 of their terms. Below this multiple of the terms
+/// too few digits are left: heights are then taken from exact_heights, and a point is `extreme` where the normal is so
+/// small.
 inline constexpr double kDoubtful = 0x1p-46;
 
-/// Distances below 2^-kExtreme of the largest, whose eighth powers are normal numbers still, are extreme in double, and
-/// so are units beyond 2^kExtremeUnit, in which differences of coordinates may be too large for it; on the triangle,
-/// beyond 2^(2 kExtreme).
+/// In double, distances below 2^-kExtreme of the largest are extreme; at that limit, their eighth powers are still
+/// normal numbers. So are units beyond 2^+-kExtremeUnit, in which differences of coordinates may overflow; for points
+/// on the triangle, units beyond 2^+-(2 kExtreme).
 inline constexpr int kExtreme = 120, kExtremeUnit = 900;
 
-/// An exact number in R, rounded once; tracked ones count that.
+/// An exact number in R, rounded once; a tracked number counts that rounding.
 template <class R, class W>
 R rounded_to(const W& x) {
   if constexpr (Scalar<R>) return static_cast<R>(x);
@@ -138,7 +139,7 @@ void Frame<R>::set(const Triangle<R>& t, const Vec3<R>& eta) requires std::same_
     e.r1 = r[j];
     e.D2 = e.h * e.h + d * d;
   }
-  // Limits on the triangle are formed of results, which may leave double's range.
+  // On the triangle limits are computed from results in the caller's unit, which may leave double's range.
   extreme = extreme || (on_triangle() && abs(std::ilogb(unit)) > 2 * kExtreme);
 }
 
@@ -182,11 +183,11 @@ Frame<R>::Frame(const Frame<double>& seen, const Triangle<double>& t,
   }
 }
 
-/// Whether double-doubles have the digits for the heights, as forms that branch on their signs need.
+/// Whether the heights have certain signs in double-double, as forms that branch on them need.
 inline bool heights_are_certain(const Frame<Tracked<DoubleDouble>>& f) {
-  constexpr double kDigits = 0x1p-60;
+  constexpr double kCertain = 0x1p-60;  // a relative error
   const auto certain = [](const Tracked<DoubleDouble>& x) {
-    return roundoff_of<DoubleDouble>() * x.error <= kDigits * x.magnitude();
+    return roundoff_of<DoubleDouble>() * x.error <= kCertain * x.magnitude();
   };
   return certain(f.d) && certain(f.edges[0].h) && certain(f.edges[1].h) && certain(f.edges[2].h);
 }
@@ -207,17 +208,17 @@ R tracked_from(const S& x) {
 
 template <class R>
 template <class S>
-Frame<R>::Frame(const Frame<S>& wider)
-    : area2(tracked_from<R>(wider.area2)), unit(tracked_from<R>(wider.unit)), far_corner(wider.far_corner) {
+Frame<R>::Frame(const Frame<S>& other)
+    : area2(tracked_from<R>(other.area2)), unit(tracked_from<R>(other.unit)), far_corner(other.far_corner) {
   const auto vector = [](const Vec3<S>& v) {
     return Vec3<R>(tracked_from<R>(v[0]), tracked_from<R>(v[1]), tracked_from<R>(v[2]));
   };
-  n = vector(wider.n);
-  d = tracked_from<R>(wider.d);
+  n = vector(other.n);
+  d = tracked_from<R>(other.d);
   for (int i = 0; i < 3; ++i) {
-    const FrameEdge<S>& from = wider.edges[i];
-    p[i] = vector(wider.p[i]);
-    r[i] = tracked_from<R>(wider.r[i]);
+    const FrameEdge<S>& from = other.edges[i];
+    p[i] = vector(other.p[i]);
+    r[i] = tracked_from<R>(other.r[i]);
     edges[i] = {vector(from.u),           vector(from.nu),          tracked_from<R>(from.length),
                 tracked_from<R>(from.h),  tracked_from<R>(from.s0), tracked_from<R>(from.s1),
                 tracked_from<R>(from.r0), tracked_from<R>(from.r1), tracked_from<R>(from.D2)};

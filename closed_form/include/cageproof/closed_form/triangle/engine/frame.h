@@ -27,7 +27,8 @@ struct FrameEdge {
   R D2;         ///< squared distance of the line: h^2 + d^2
 };
 
-/// Geometry in units of `unit`, a power of two near the largest distance, so that no power of a distance overflows.
+/// Geometry in units of `unit`. For frames seen in double that is a power of two near the largest distance, so that no
+/// power of a distance overflows; for others it is 1.
 template <class R>
 struct Frame {
   std::array<Vec3<R>, 3> p;  ///< corners minus point
@@ -36,23 +37,23 @@ struct Frame {
   Vec3<R> n;       ///< unit normal
   R d;             ///< signed height of the point: (point - corner).n, negative inside a cage
   R area2;         ///< twice the area
-  R unit{1};       ///< the caller's lengths are these times `unit`
+  R unit{1};       ///< the input's lengths are these times `unit`; for the caller's, see PointMoments::unit()
   int far_corner;  ///< the corner farthest from the point
-  /// In double: powers of distances may leave the range of numbers, or distances that are not zero have become it; all
-  /// else may be without meaning then, and the point is seen in multiprecision instead.
+  /// In double: powers of distances may leave the range of numbers, small distances have become zero, or the normal's
+  /// terms cancel. Other members may be meaningless then; the point is seen in multiprecision instead.
   bool extreme = false;
 
-  /// To be filled in.
+  /// Empty: plain_frame() fills it in.
   Frame() = default;
   /// From exact differences: exact_frame.h.
   Frame(const Triangle<R>& t, const Vec3<R>& eta) requires Scalar<R>;
-  /// From exact products, each rounded once to a wide type, tracked or not: exact_frame.h. Lengths are the caller's.
+  /// From exact products, each rounded once to a wide type, tracked or not: exact_frame.h. Lengths are those of `x`.
   template <class W>
   explicit Frame(const ExactTriangleIn<W>& x);
-  /// The same geometry, rounded to a tracked type.
+  /// The same geometry in a tracked type: exact_frame.h.
   template <class S>
-  explicit Frame(const Frame<S>& wider);
-  /// In tracked double-doubles, from exact differences, of what was seen in double.
+  explicit Frame(const Frame<S>& other);
+  /// In tracked double-doubles, from exact differences; zeros, unit and nearest corners are those seen in double.
   Frame(const Frame<double>& seen, const Triangle<double>& t,
         const Vec3<double>& eta) requires std::same_as<R, Tracked<DoubleDouble>>;
 

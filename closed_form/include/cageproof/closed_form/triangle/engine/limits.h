@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which derivatives, and even values, have no limit on the triangle.
+// On the triangle: which orders, the value included, have no limit.
 #pragma once
 
 #include "cageproof/closed_form/triangle/engine/evaluate.h"
@@ -14,8 +14,9 @@ int first_divergent(const Frame<R>& f) {
   return F::diverges_on_triangle || border ? F::border_order : 3;
 }
 
-/// On the triangle, of formulas that diverge there: infinite where the hat function is positive, NaN where it vanishes,
-/// since the limit depends on the direction there; no derivative.
+/// The result on the triangle of a formula that diverges all over it: values are infinite where the corner's hat
+/// function is positive, and NaN where it vanishes, since the limit depends on the direction there; derivatives are
+/// NaN.
 template <class F, int O, Scalar S, class R>
 Jet<S, F::components> diverging_weights(const Frame<R>& f) {
   static_assert(F::components == 3);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The frame in a scalar's own arithmetic, from the nine coordinates: what a program or a shader has that knows no wider
-// numbers.
+// The frame in a scalar's own arithmetic, from the nine coordinates: as a program or a shader without wider numbers can
+// compute it.
 #pragma once
 
 #include "cageproof/closed_form/triangle/engine/frame.h"
 
 namespace cageproof::closed_form::triangle {
 
-/// Heights are taken from the nearest corner and divided last, so that they are exact where coordinates are small
-/// integers. Lengths are the caller's.
+/// Heights are taken from the nearest corner and divided last, so that their zeros and signs are exact where
+/// coordinates are small integers. Lengths are the caller's.
 template <class R>
 Frame<R> plain_frame(const Triangle<R>& t, const Vec3<R>& eta) {
   using std::sqrt;

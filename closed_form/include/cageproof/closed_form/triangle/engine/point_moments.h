@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The frame and the moments that formulas on one triangle share at one point: every moment that more than one of them
-// may ask for, in each arithmetic that one of them climbs to.
+// The frame and the moments that formulas on one triangle share at one point, in each arithmetic that one of them
+// climbs to.
 #pragma once
 
 #include "cageproof/closed_form/triangle/engine/bounded.h"
@@ -53,8 +53,8 @@ class TrackedMoments {
   NearMoments<Tracked<T>, O> near_;
 };
 
-/// A triangle seen from a point in multiprecision, and all moments that formulas take there for derivatives up to order
-/// O, with bounds of their errors. Lives on the stack of one thread.
+/// A triangle seen from a point in multiprecision, and the moments of formulas there for derivatives up to order O,
+/// with bounds of their errors. Lives on the stack of one thread.
 template <int O>
 class WideMoments {
  public:
@@ -76,7 +76,7 @@ class WideMoments {
       return moments.emplace(*exact_);
     }
   }
-  /// The caller's lengths are those of the moments times this.
+  /// The unit of the moments: the caller's lengths are theirs times this.
   Mp200 unit() const { return 1; }
 
  private:
@@ -96,8 +96,8 @@ class WideMoments {
   std::unique_ptr<TrackedMoments<Mp2000, O>> widest_;
 };
 
-/// The same of doubles: in double, in double-double, and in multiprecision in the frame's unit. The triangle and the
-/// point must outlive it.
+/// A triangle and a point in doubles, and the moments there in double, double-double and multiprecision. The triangle
+/// and the point must outlive it.
 template <int O>
 class PointMoments {
  public:
@@ -106,7 +106,8 @@ class PointMoments {
   PointMoments& operator=(const PointMoments&) = delete;
 
   const Frame<double>& frame() const { return frame_; }
-  /// The unit of tracked moments: the frame's, or one for what is extreme.
+  /// The unit of tracked moments in every arithmetic: the caller's lengths are theirs times this. Frame::unit of those
+  /// in multiprecision is 1, since wide() has divided the coordinates.
   double unit() const { return frame_.extreme ? 1 : frame_.unit; }
   WideMoments<O>& wide() {
     if (!wide_) {
@@ -117,7 +118,7 @@ class PointMoments {
     }
     return *wide_;
   }
-  /// \tparam T double, DoubleDouble or what WideMoments has
+  /// \tparam T double, DoubleDouble, or a type of WideMoments::tracked
   template <class T>
   TrackedMoments<T, O>& tracked() {
     if constexpr (is_multiprecision<T>) {

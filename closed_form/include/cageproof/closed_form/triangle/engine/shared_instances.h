@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The moments' instantiations, compiled once for all formulas: who links `closed_form` includes this beside a form, and
-// compiles none of them again.
+// Declares the moments' instantiations, which `closed_form` compiles once for all formulas. Sources that link it
+// include this next to a form, and compile none of them again.
 #pragma once
 
 #include "cageproof/closed_form/triangle/engine/closed_form.h"
