@@ -53,7 +53,7 @@ given = json.loads((FOLDER / "cage.json").read_text())
 rest, posed, faces, points = np.array(given["rest"]), np.array(given["posed"]), given["faces"], np.load(FOLDER / "points.npy")
 cage, follower = mesh("Cage", rest, faces), mesh("Follower", points)
 
-# What is refused, with its reason, and changes nothing.
+# Refusals name their reason, and change nothing.
 hole, far, pentagon = mesh("Hole", rest, faces[1:]), mesh("Far", points + 9), mesh("Pentagon", rest, [[0, 1, 2, 3, 4]])
 bind, pose, unbind = bpy.ops.cageproof.bind, bpy.ops.cageproof.pose, bpy.ops.cageproof.unbind
 refused(lambda: bind(mesh="Follower", cage="Hole", method="green"), "the cage has a hole")
@@ -104,7 +104,7 @@ bpy.context.scene.frame_set(1)
 assert np.abs(key(follower) - points).max() < 1e-5
 bpy.context.scene.frame_set(11)
 assert np.abs(key(follower) - np.load(FOLDER / "images.npy")).max() < 1e-5
-# What is rendered is the mesh as evaluated for the frame, not for the one before.
+# The renderer gets the mesh as evaluated for the frame, not for the one before.
 shown = follower.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices
 assert np.abs(np.array([v.co[:] for v in shown]) - np.load(FOLDER / "images.npy")).max() < 1e-5
 
@@ -135,7 +135,7 @@ refused(lambda: pose(mesh="Follower"), f"has 4 vertices, and had {len(rest)} whe
 bpy.data.objects.remove(cage)
 refused(lambda: pose(mesh="Follower"), "is not in the scene")
 
-# Unbound, nothing is left; or the shape alone.
+# After unbinding nothing is left, or only the shape.
 assert unbind(mesh="Follower") == {"FINISHED"}
 assert "Cageproof" not in follower.data.shape_keys.key_blocks and not follower.cageproof.token and "cageproof_rest" not in follower
 cage, follower.parent = mesh("Again", rest, faces), None

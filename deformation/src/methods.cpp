@@ -120,7 +120,7 @@ std::shared_ptr<const ConstrainedDeformer<double>> prepare_constrained(const Con
     throw InputError(fmt::format("{}: {} does not exist on cages of this dimension", cage.name(), method.name));
   if (method.positions_alone) {
     const auto refuse = [&](std::string_view what, bool any) {
-      if (any) throw ConstraintError(fmt::format("{} takes positions alone, not \"{}\"", method.name, what));
+      if (any) throw ConstraintError(fmt::format("{} takes only positions, not \"{}\"", method.name, what));
     };
     refuse("orientations", !constraints.orientations.empty());
     refuse("rotations", !constraints.rotations.empty());

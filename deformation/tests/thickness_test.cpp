@@ -223,7 +223,7 @@ void expect_refused(const Cage& cage, const Constraints& constraints, const Thic
 TEST(thickness, rejects) {
   const Cage bar = long_bar();
   expect_refused(bar, {}, {}, "there are no positions");
-  expect_refused(embedded_cage("cube"), lifted(), {}, "in the plane alone");
+  expect_refused(embedded_cage("cube"), lifted(), {}, "only in the plane");
   expect_refused(bar, lifted(), {.samples = 0}, "samples = 0");
   expect_refused(bar, lifted(), {.steps = 0}, "steps = 0");
   expect_refused(bar, lifted(), {.coordinates = {8, 1, 0}},

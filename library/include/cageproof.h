@@ -46,7 +46,7 @@ enum {
 CAGEPROOF_API const char* cageproof_error(void);
 
 /* Names, one per line: of = "kinds" of coordinates, "methods" of deformers, "formulas", "cages" that come with the
- * library, or a formula's name, for its evaluations, the recommended one first.
+ * library, or a formula's name: its evaluations, the recommended one first.
  * text: NULL, or room for `size` characters; needed: the characters of the text with its final zero. A text that does
  * not fit is an error. */
 CAGEPROOF_API int cageproof_list(const char* of, char* text, size_t size, size_t* needed);

@@ -16,7 +16,7 @@ def main(connection: socket.socket) -> str:
     """The text to end with: "" where all was answered."""
     poll, questions, rest, open_, ended = select.poll(), b"", b"", 0, False
     while open_ or not ended:
-        # Neither side waits for the other while it has something to say.
+        # A side that has something to say never waits for the other.
         if not ended:
             poll.register(0, 0 if questions else select.POLLIN)
         poll.register(connection, select.POLLIN | (select.POLLOUT if questions else 0))

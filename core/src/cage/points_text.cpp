@@ -165,7 +165,7 @@ class TextReader {
     if (field.find_first_of(" \t") != field.npos)
       at_.fail(
           fmt::format("{} is a field with a blank in it, between commas or semicolons; separate by one of them, or "
-                      "blanks alone; decimal commas are not read",
+                      "blanks only; decimal commas are not read",
                       shown(field)));
     return finite_number(field, at_);
   }

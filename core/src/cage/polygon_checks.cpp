@@ -77,7 +77,7 @@ void check_places(const Candidate& cage) {
   }
   if (first)
     fail_vertex(cage, first->second,
-                fmt::format("repeated, it lies where vertex {} does; a closed polyline has one vertex a place, its "
+                fmt::format("repeated, it lies where vertex {} does; a closed polyline has one vertex per place, its "
                             "last segment ends at its first vertex",
                             first->first));
 }

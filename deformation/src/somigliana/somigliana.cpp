@@ -205,7 +205,7 @@ DeformMethod method_of_somigliana() {
                       "whether tractions are balanced, Eq 15",
                       {"on", "off"}},
                      {{.name = "blend", .preset = 0.5, .lowest = kBelowZero, .highest = 1, .includes_highest = true},
-                      "of variant=blend alone, others ignore it: from global, 0, to local, 1"}},
+                      "only of variant=blend, others ignore it: from global, 0, to local, 1"}},
       .with_parameters_of_kind = false,
       .refuses = KeepsQuads ? why_quads_are_refused : nullptr,
       .prepare = prepare_somigliana<double, KeepsQuads>,

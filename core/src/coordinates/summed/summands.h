@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What coordinates that are sums over a cage's elements are summed from: elements, their evaluations, and the blocks
+// The summands of coordinates that are sums over a cage's elements: elements, their evaluations, and the blocks
 // that their parts belong to.
 #pragma once
 
