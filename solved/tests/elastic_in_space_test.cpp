@@ -44,7 +44,7 @@ std::function<Vec(const Vec&)> kelvin(const Vec& pole, double nu) {
 }
 
 TEST(elastic_in_space, forces_outside_are_met_to_second_order) {
-  for (const double nu : {-0.5, 0.3, 0.45}) {
+  for (const double nu : {-0.5, 0.45}) {
     const auto u = kelvin(Vec(1.25, 0.75, -0.5), nu);
     std::array<double, 2> errors{};
     for (int times = 1; times <= 2; ++times) {

@@ -38,16 +38,18 @@ ElasticSurfaceRoute::ElasticSurfaceRoute(const Cage& cage)
   }
   // So far inside of the places, in cage sizes: layers are Hoelder continuous there.
   const Mp50 hair = Mp50("1e-42") * Mp50(cage.size());
-  // The scheme's centroids have 40 bits. Their first corner has what is left of one.
-  const Mp50 third = Mp50(0x5555555555) / Mp50(0x10000000000);
+  // The quarters' centroids as the scheme has them: basis functions of a triangle's second and third corner, in double.
+  constexpr double sixth = 1. / 3 / 2;
+  constexpr std::array<std::array<double, 2>, 4> centroids{
+      {{0.5 - sixth, 0.5 - sixth}, {sixth, sixth}, {0.5 + sixth, sixth}, {sixth, 0.5 + sixth}}};
   const std::size_t unknowns = 3 * quarters_.size(), columns = 3 * vertices_;
   Rows matrix(unknowns, unknowns), right(unknowns, columns);
   for (std::size_t q = 0; q < quarters_.size(); ++q) {
     const Corners& whole = triangles_[q / 4];
     const Vec3<Mp50> across = (whole[1] - whole[0]).cross(whole[2] - whole[0]);
     const Mp50 area(sqrt(Mp50(across.dot(across))));
-    const Vec3<Mp50> place =
-        (1 - 2 * third) * quarters_[q][0] + third * quarters_[q][1] + third * quarters_[q][2];
+    const Mp50 second(centroids[q % 4][0]), third(centroids[q % 4][1]);
+    const Vec3<Mp50> place = whole[0] + second * (whole[1] - whole[0]) + third * (whole[2] - whole[0]);
     const Layers layers = layers_at(place - hair / area * across);
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t k = 0; k < unknowns; ++k) matrix(3 * q + i, k) = layers.of_tractions(i, k);

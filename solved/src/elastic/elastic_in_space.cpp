@@ -39,6 +39,7 @@ class ElasticInSpace final : public CoordinatesInDouble<ElasticInSpace>,
                  .size = static_cast<int>(somigliana_.elements().vertices().size()),
                  .shape = {.rows = 3, .columns = 3},
                  .reproduces = Reproduces::Vertices}} {
+    require_range();
     require_room();
     prepared<double>();
     require_values();
@@ -107,6 +108,11 @@ class ElasticInSpace final : public CoordinatesInDouble<ElasticInSpace>,
     Matrix<R> tractions;  // D transposed: a row a component of a vertex, a column one of a piece
   };
 
+  void require_range() const {
+    if (std::isfinite(surface_.pieces.unit())) return;
+    throw InputError(name_ + ": no elastic coordinates: the cage's size leaves the range of double; take another unit of length");
+  }
+
   void require_room() const {
     const double n = surface_.unknowns(), columns = 3. * blocks_[0].size;
     constexpr double matrices = 2, tables = 3;  // with factors; right sides, solutions and their transposes
@@ -169,8 +175,8 @@ class ElasticInSpace final : public CoordinatesInDouble<ElasticInSpace>,
     if (!sum.allFinite())
       throw InputError(fmt::format(
           "{}: no elastic coordinates: on triangle {} (counted from 0, quads split) layers are not finite: a face has no "
-          "area, or the cage's size, {:.3g}, leaves the range of double; take another unit of length",
-          name_, element, surface_.pieces.unit()));
+          "area, or next to none; take it out",
+          name_, element));
     const double off = (sum - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (off <= 1e-6) return;
     throw InputError(fmt::format(

@@ -7,7 +7,7 @@ ElasticSurface::ElasticSurface(const Cage& cage, const CageElements& elements, i
     : pieces(cage, elements, level, densities), whole(cage, elements, 0, 1) {}
 
 std::vector<PlaceOnTriangle> centroids(const RefinedSurface& surface) {
-  constexpr double third = 0x0.5555555555p0;
+  constexpr double third = 1. / 3;
   std::vector<PlaceOnTriangle> places;
   for (int t = 0; t < surface.triangles(); ++t)
     for (int k = 0; k < surface.pieces_a_triangle(); ++k) places.push_back(surface.place(t, k, third, third));

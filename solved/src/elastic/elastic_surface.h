@@ -20,8 +20,8 @@ struct ElasticSurface {
   int unknowns() const { return densities * pieces.pieces(); }
 };
 
-/// The places at which the boundary's equation is asked to hold: the centroid of each piece, to 40 bits, so that places
-/// are the same in every scalar.
+/// The places at which the boundary's equation is asked to hold: the centroid of each piece, rounded to double, so
+/// that places are the same in every scalar.
 std::vector<PlaceOnTriangle> centroids(const RefinedSurface& surface);
 
 /// K of tractions that are constant on pieces, and T of displacements that are affine on triangles.
