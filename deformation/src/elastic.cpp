@@ -13,8 +13,7 @@ namespace {
 template <Scalar R>
 class ElasticPosed final : public Posed<R> {
  public:
-  ElasticPosed(int dimension, std::vector<Vec3<R>> vertices)
-      : dimension_(dimension), vertices_(std::move(vertices)) {}
+  ElasticPosed(int dimension, std::vector<Vec3<R>> vertices) : dimension_(dimension), vertices_(std::move(vertices)) {}
 
   const DeformationReport& report() const override { return report_; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Elastic coordinates of cages in space ([C23] Sections 3 and 4.2), from Somigliana's identity with layers a hair inside
-// of the cage in place of limits, by elimination in 200 digits.
+// Elastic coordinates of cages in space ([C23] Sections 3 and 4.2), from Somigliana's identity with layers a hair
+// inside of the cage in place of limits, by elimination in 200 digits.
 #pragma once
 
 #include "elimination.h"

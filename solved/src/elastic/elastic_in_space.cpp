@@ -110,7 +110,8 @@ class ElasticInSpace final : public CoordinatesInDouble<ElasticInSpace>,
 
   void require_range() const {
     if (std::isfinite(surface_.pieces.unit())) return;
-    throw InputError(name_ + ": no elastic coordinates: the cage's size leaves the range of double; take another unit of length");
+    throw InputError(
+        name_ + ": no elastic coordinates: the cage's size leaves the range of double; take another unit of length");
   }
 
   void require_room() const {
@@ -173,10 +174,11 @@ class ElasticInSpace final : public CoordinatesInDouble<ElasticInSpace>,
 
   void require_identity(const Eigen::Matrix3d& sum, int element) const {
     if (!sum.allFinite())
-      throw InputError(fmt::format(
-          "{}: no elastic coordinates: on triangle {} (counted from 0, quads split) layers are not finite: a face has no "
-          "area, or next to none; take it out",
-          name_, element));
+      throw InputError(
+          fmt::format("{}: no elastic coordinates: on triangle {} (counted from 0, quads split) layers are not finite: "
+                      "a face has no "
+                      "area, or next to none; take it out",
+                      name_, element));
     const double off = (sum - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (off <= 1e-6) return;
     throw InputError(fmt::format(

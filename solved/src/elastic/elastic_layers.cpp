@@ -35,8 +35,8 @@ bool is_on(std::span<const OnEdge<R>> on, int edge) {
 }  // namespace
 
 ElasticEvaluations::ElasticEvaluations(int dimension, const std::string& name)
-    : displacement(named_or_recommended(
-          dimension == 2 ? "segment.kelvin_displacement" : "triangle.kelvin_displacement", name)),
+    : displacement(
+          named_or_recommended(dimension == 2 ? "segment.kelvin_displacement" : "triangle.kelvin_displacement", name)),
       traction(named_or_recommended(dimension == 2 ? "segment.kelvin_traction" : "triangle.kelvin_traction", name)) {}
 
 template <Scalar R>
