@@ -116,7 +116,7 @@ class ElasticInSpace final : public CoordinatesInDouble<ElasticInSpace>,
 
   void require_room() const {
     const double n = surface_.unknowns(), columns = 3. * blocks_[0].size;
-    constexpr double matrices = 2, tables = 3;  // with factors; right sides, solutions and their transposes
+    constexpr double matrices = 3, tables = 3;  // with factors and a copy; right sides, solutions and their transposes
     require_memory((matrices * n * n + tables * n * columns) * sizeof(double),
                    fmt::format("{}: an elastic system of {} unknowns and {} right sides", name_, n, columns),
                    "take a lower level or a cage of fewer faces");
