@@ -281,7 +281,7 @@ refuses words.csv:2 -- "$cageproof" coordinates --cage square --points "$work/fl
 refuses matrices -- "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind somigliana --data "$work/short.csv"
 refuses collocation=corners vertices-and-midpoints -- "$cageproof" coordinates --cage square --points "$work/flat.csv" --kind biharmonic_boundary --parameter collocation=corners
 refuses pieces=1.5 range -- "$cageproof" coordinates --cage square --points "$work/flat.csv" --kind harmonic --parameter pieces=1.5
-refuses cube dimension -- "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind elastic
+refuses cube dimension -- "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind cauchy
 refuses nonsense evaluation -- "$cageproof" coordinates --cage square --points "$work/flat.csv" --kind cauchy --evaluation nonsense
 
 # Stated digits are rounded down: one rounding of a double is 15.95 digits.

@@ -31,7 +31,7 @@ constexpr std::array method_purposes{
     MethodPurpose{"aaap", "biharmonic_1_3 with normals stretched so that second derivatives are least"},
     MethodPurpose{"tp", "biharmonic_1_3 with normals stretched so that second derivatives along normals are least"},
     MethodPurpose{"somigliana", "an elastic body that bulges or shrinks, by nu and gamma"},
-    MethodPurpose{"elastic", "a drawing in an elastic body that meets the posed polygon, for small poses; solved"},
+    MethodPurpose{"elastic", "an elastic body that meets the posed cage, for small poses; solved"},
     MethodPurpose{"quad_somigliana", "somigliana of a cage of quads, whose symmetry stays"},
     MethodPurpose{"variational", "no posed cage: points are held, and the map has least energy"},
     MethodPurpose{"thickness", "no posed cage: points of a drawing are held, and its edges bend least"},

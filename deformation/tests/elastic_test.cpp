@@ -57,7 +57,7 @@ TEST(elastic, turns_of_poses_are_kept_to_first_order) {
 TEST(elastic, the_condition_next_to_one_half_is_reported) {
   const Case c = elastic_l();
   const auto warnings = [&](double nu) {
-    return prepare_deformer<double>(deform_method_named("elastic"), c.cage, {.parameters = {4, 1, nu}})
+    return prepare_deformer<double>(deform_method_named("elastic"), c.cage, {.parameters = {4, 1, nu, 1}})
         ->prepared()
         .warnings;
   };

@@ -91,7 +91,9 @@ TEST(laws, of_space_are_as_specified) {
                     {"aaap", {1, 1, kFree, 1, 1}, true, true, true},
                     {"tp", {1, 1, kFree, 1, 1}, true, true, true},
                     {"somigliana", {0, 0.3, 0, 0, 0.5}, true, false, false},
-                    {"somigliana", {1, 0.3, 1, 0, 0.5}, true, false, false}});
+                    {"somigliana", {1, 0.3, 1, 0, 0.5}, true, false, false},
+                    {"elastic", {4, 1, -0.5, 0}, true, true, true},
+                    {"elastic", {4, 1, 0.45, 1}, true, true, true}});
 }
 
 TEST(laws, of_the_plane_are_as_specified) {
@@ -101,8 +103,8 @@ TEST(laws, of_the_plane_are_as_specified) {
                     {"somigliana", {0, 0.3, 0, 0, 0.5}, true, false, false},
                     {"somigliana", {1, 0.3, 2, 0, 0.5}, true, false, false},
                     {"cauchy", {}, true, false, false},
-                    {"elastic", {4, 1, -0.5}, true, true, true},
-                    {"elastic", {2, 3, 0.45}, true, true, true},
+                    {"elastic", {4, 1, -0.5, 1}, true, true, true},
+                    {"elastic", {2, 3, 0.45, 1}, true, true, true},
                     {"biharmonic_boundary", {0, 1, 1, 1}, false, false, false},
                     {"biharmonic_boundary", {1, 1, 1, 1}, true, false, false},
                     {"biharmonic_boundary", {2, 1, 1, 1}, true, false, false},

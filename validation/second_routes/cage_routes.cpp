@@ -3,6 +3,7 @@
 
 #include "boundary_route.h"
 #include "elastic_route.h"
+#include "elastic_surface_route.h"
 #include "entropy_route.h"
 #include "spherical_route.h"
 #include "surface_route.h"
@@ -111,9 +112,10 @@ std::shared_ptr<const CageRoute> cage_route(const CoordinateKind& kind, const Ca
   if (cage.faces().size() > most_faces) return nullptr;
   if (kind.name == "spherical_mean_value") return std::make_shared<const OfSphericalPolygons>(cage);
   constexpr std::size_t most_edges = 8, most_triangles = 12;
-  if (kind.name == "harmonic" && cage.dimension() == 3) {
-    const bool is_small = cage.parts(false, Triangulation::Shortest).elements.size() <= most_triangles;
-    return is_small ? std::make_shared<const OfOneBlock<SurfaceRoute>>(cage) : nullptr;
+  if (cage.dimension() == 3 && (kind.name == "harmonic" || kind.name == "elastic")) {
+    if (cage.parts(false, Triangulation::Shortest).elements.size() > most_triangles) return nullptr;
+    if (kind.name == "elastic") return std::make_shared<const OfOneBlock<ElasticSurfaceRoute>>(cage);
+    return std::make_shared<const OfOneBlock<SurfaceRoute>>(cage);
   }
   static constexpr std::array by_order{"harmonic", "biharmonic_boundary", "triharmonic_boundary"};
   for (int k = 0; k < 3; ++k)

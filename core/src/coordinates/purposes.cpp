@@ -30,7 +30,7 @@ constexpr std::array kind_purposes{
     KindPurpose{"regularised_1_2", "regularised_1_3 from values and normal derivatives, for comparison"},
     KindPurpose{"regularised_weber", "regularised_1_3 from the Laplacian's own identity, for comparison"},
     KindPurpose{"harmonic", "meets the cage, never negative; a system is solved once per cage"},
-    KindPurpose{"elastic", "an elastic body that meets the polygon's border; one matrix per vertex, by nu; solved"},
+    KindPurpose{"elastic", "an elastic body that meets the cage; one matrix per vertex, by nu; solved"},
     KindPurpose{"biharmonic_boundary", "meets values and normal derivatives on the polygon's border; solved"},
     KindPurpose{"biharmonic_complex",
                 "biharmonic_boundary with normals stretched as edges are, as one complex number per vertex"},

@@ -18,22 +18,19 @@ std::array<Vec3<R>, 3> axes_of(const std::array<Vec3<R>, 3>& corners) {
   return {along, normal.cross(along), normal};
 }
 
-// Adds derivatives of a number along the axes, in those of the space.
+// Adds a tensor along the axes, in those of the space. Its indices have three values each, the last the fastest.
 template <Scalar R>
-void turn_in_space(const std::array<Vec3<R>, 3>& axes, int order, const R* from, R* to) {
-  if (order == 0) {
-    to[0] += from[0];
-    return;
-  }
-  for (int a = 0; a < 3; ++a)
-    for (int i = 0; i < 3; ++i) {
-      if (order == 1) {
-        to[a] += axes[i][a] * from[i];
-        continue;
-      }
-      for (int b = 0; b < 3; ++b)
-        for (int j = 0; j < 3; ++j) to[3 * a + b] += axes[i][a] * axes[j][b] * from[3 * i + j];
+void turn_in_space(const std::array<Vec3<R>, 3>& axes, int indices, std::span<const R> from, R* to) {
+  std::vector<R> turned(from.begin(), from.end()), before;
+  for (std::size_t step = 1; indices > 0; --indices, step *= 3) {
+    before = turned;
+    for (std::size_t k = 0; k < turned.size(); ++k) {
+      const auto index = static_cast<Eigen::Index>(k / step % 3);
+      const R* const first = &before[k - static_cast<std::size_t>(index) * step];
+      turned[k] = axes[0][index] * first[0] + axes[1][index] * first[step] + axes[2][index] * first[2 * step];
     }
+  }
+  for (std::size_t k = 0; k < turned.size(); ++k) to[k] += turned[k];
 }
 
 }  // namespace
@@ -91,14 +88,16 @@ void SurfaceLayer<R>::add_in_plane(const Touching& on, int order, CoordinateTabl
     flat[c] = Vec3<R>(from_first.dot(axes[0]), c == 2 ? from_first.dot(axes[1]) : R(0), R(0));
   }
   const Vec3<R> point = RefinedSurface::at<R>(flat, on.basis[1], on.basis[2]);
+  const int own_indices = entries() == 9 ? 2 : 0;  // of a matrix, and of a number
   Result<R> found;
   for (int k = 0; k < surface_.pieces_a_triangle(); ++k) {
     const Piece& piece = pieces_[on.element * surface_.pieces_a_triangle() + k];
     evaluation_(Query<R>{surface_.piece<R>(flat, k), point, order, parameters_}, found);
     for (int c = 0; c < slots_a_piece_; ++c)
       for (int o = 0; o <= order; ++o) {
-        const std::size_t width = derivative_count(3, o);
-        turn_in_space<R>(axes, o, &found.of(o)[c * width], &to.tensors[o][piece.slots[c] * width]);
+        const std::size_t width = static_cast<std::size_t>(entries()) * derivative_count(3, o);
+        turn_in_space<R>(axes, own_indices + o, std::span<const R>(found.of(o)).subspan(c * width, width),
+                         &to.tensors[o][piece.slots[c] * width]);
       }
   }
 }

@@ -31,7 +31,7 @@ class SurfaceLayer {
 
   /// The same at one point on the surface, limits from inside: pieces of the triangles that the point is on are seen in
   /// their triangle's own plane, in which it lies exactly, whatever rounding made of their corners.
-  /// \pre the formula's tensors are numbers
+  /// \pre the formula's tensors are numbers or matrices
   void add_on(const Vec3<R>& point, std::span<const Touching> on, int order, CoordinateTable<R>& to) const;
 
   /// Values at places: one row per place and row of the tensor, one column per slot and column of the tensor. \pre the

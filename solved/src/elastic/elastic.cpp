@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Elastic bodies with given displacements on the border of a polygon, by boundary elements ([C23] Sections 3 and 4.2).
+// Elastic bodies with given displacements on the border of a polygon or a cage in space, by boundary elements ([C23]
+// Sections 3 and 4.2).
+#include "elastic_in_space.h"
 #include "elastic_layers.h"
 
 #include "../boundary/collocation.h"
@@ -31,12 +33,15 @@ const std::vector<ElasticCollocation>& elastic_collocations() {
 }
 
 // The parameters' order.
-enum : std::size_t { kPieces, kCollocation, kNu };
+enum : std::size_t { kPieces, kCollocation, kNu, kLevel };
 
 std::vector<KindParameter> elastic_parameters() {
   std::vector<KindParameter> all =
-      boundary_parameters(elastic_collocations(), "where the boundary's equation is asked to hold");
+      boundary_parameters(elastic_collocations(), "in the plane: where the boundary's equation is asked to hold");
+  all[kPieces].meaning = "in the plane: that each edge is cut into";
   all.push_back({{.name = "nu", .preset = 0.3, .lowest = -1, .highest = 0.5}, "Poisson's ratio"});
+  all.push_back({{.name = "level", .preset = default_elastic_level, .lowest = -1, .highest = 6, .whole = true},
+                 "in space: times that each triangle is split in four"});
   return all;
 }
 
@@ -49,6 +54,7 @@ std::string why_too_many(const std::string& cage, int edges, int pieces) {
 }
 
 std::string why_elastic_refuses(const Cage& cage) {
+  if (cage.dimension() == 3) return why_elastic_is_too_large(cage);
   return why_too_many("", static_cast<int>(cage.faces().size()), default_pieces);
 }
 
@@ -65,7 +71,7 @@ class ElasticCoordinates final : public CoordinatesInDouble<ElasticCoordinates>,
       : parameters_(options.parameters),
         somigliana_(cage, coordinate_kind_named("somigliana"),
                     CoordinateOptions{.evaluation = options.evaluation, .parameters = {1, parameters_[kNu]}}),
-        evaluations_(options.evaluation),
+        evaluations_(2, options.evaluation),
         polygon_(cage, static_cast<int>(parameters_[kPieces])),
         blocks_{{.label = "E",
                  .owner = Owner::Vertex,
@@ -209,13 +215,28 @@ class ElasticCoordinates final : public CoordinatesInDouble<ElasticCoordinates>,
   mutable std::tuple<Prepared<double>, Prepared<Mp50>, Prepared<Mp100>> prepared_;
 };
 
+// An option that would change nothing is an error.
+void require_preset(const Cage& cage, const std::vector<double>& given, std::size_t which, std::string_view instead) {
+  const KindParameter known = elastic_parameters()[which];
+  if (given[which] != known.preset)
+    throw InputError(fmt::format("{}: elastic coordinates in {} have no parameter {}; {}", cage.name(),
+                                 cage.dimension() == 3 ? "space" : "the plane", known.name, instead));
+}
+
 std::shared_ptr<const PreparedCoordinates> prepare_elastic(const Cage& cage, const CoordinateOptions& options) {
-  return std::make_shared<ElasticCoordinates>(cage, options);
+  const std::vector<double>& given = options.parameters;
+  if (cage.dimension() == 2) {
+    require_preset(cage, given, kLevel, "take pieces, which each edge is cut into");
+    return std::make_shared<ElasticCoordinates>(cage, options);
+  }
+  require_preset(cage, given, kPieces, "take level, the times that each triangle is split in four");
+  require_preset(cage, given, kCollocation, "the equation is asked to hold at the centroid of each piece");
+  return prepare_elastic_in_space(cage, options, given[kNu], static_cast<int>(given[kLevel]));
 }
 
 const RegisterCoordinateKind register_elastic{{.name = "elastic",
                                                .source = "[C23] Sections 3 and 4.2, by boundary elements",
-                                               .own_dimension = 2,
+                                               .own_dimension = 0,
                                                .prepare = prepare_elastic,
                                                .parameters = elastic_parameters(),
                                                .solves_on_samples = true,

@@ -6,9 +6,6 @@
 namespace cageproof::solved {
 namespace {
 
-constexpr std::string_view displacement_formula = "segment.kelvin_displacement",
-                           traction_formula = "segment.kelvin_traction";
-
 Evaluation named_or_recommended(std::string_view formula, const std::string& name) {
   return name.empty() ? EvaluationRegister::instance().with_role(formula, Role::Recommended).value()
                       : evaluation_named(formula, name);
@@ -37,9 +34,10 @@ bool is_on(std::span<const OnEdge<R>> on, int edge) {
 
 }  // namespace
 
-ElasticEvaluations::ElasticEvaluations(const std::string& name)
-    : displacement(named_or_recommended(displacement_formula, name)),
-      traction(named_or_recommended(traction_formula, name)) {}
+ElasticEvaluations::ElasticEvaluations(int dimension, const std::string& name)
+    : displacement(
+          named_or_recommended(dimension == 2 ? "segment.kelvin_displacement" : "triangle.kelvin_displacement", name)),
+      traction(named_or_recommended(dimension == 2 ? "segment.kelvin_traction" : "triangle.kelvin_traction", name)) {}
 
 template <Scalar R>
 ElasticLayers<R>::ElasticLayers(const RefinedPolygon& polygon, const ElasticEvaluations& evaluations, double nu)

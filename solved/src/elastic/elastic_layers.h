@@ -10,12 +10,13 @@
 
 namespace cageproof::solved {
 
-/// Evaluations of `segment.kelvin_displacement` and `segment.kelvin_traction`.
+/// Evaluations of `kelvin_displacement` and `kelvin_traction` of segments or triangles.
 struct ElasticEvaluations {
   Evaluation displacement, traction;
 
-  /// \param name of both; empty for the recommended ones \throws InputError where one has none of that name
-  explicit ElasticEvaluations(const std::string& name);
+  /// \param dimension of the space, 2 or 3 \param name of both; empty for the recommended ones
+  /// \throws InputError where one has none of that name
+  ElasticEvaluations(int dimension, const std::string& name);
 };
 
 /// Tables and matrices have two rows per displacement and two columns per cause of it.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Deformation as linear elasticity has it: the displacements of the posed polygon, by matrices that solve for the
+// Deformation as linear elasticity has it: the displacements of the posed cage, by matrices that solve for the
 // tractions ([C23] Sections 3 and 4.2).
-#include "solved_systems.h"
+#include "plane/solved_systems.h"
 
 #include "cageproof/core/numbers/linear.h"
 #include "cageproof/deformation/deformer.h"
@@ -13,30 +13,32 @@ namespace {
 template <Scalar R>
 class ElasticPosed final : public Posed<R> {
  public:
-  explicit ElasticPosed(std::vector<Vec3<R>> vertices) : vertices_(std::move(vertices)) {}
+  ElasticPosed(int dimension, std::vector<Vec3<R>> vertices) : dimension_(dimension), vertices_(std::move(vertices)) {}
 
   const DeformationReport& report() const override { return report_; }
 
   // x' = sum E_i v'_i: what displacements would give, because E keeps positions.
   Images<R> images(std::span<const CoordinateTable<R>> coordinates, std::size_t points, int order) const override {
     const CoordinateTable<R>& table = coordinates[0];
+    const auto rows = static_cast<std::size_t>(dimension_);
     Images<R> images;
     for (int o = 0; o <= order; ++o) {
-      const std::size_t width = derivative_count(2, o);
-      images.tensors[o].assign(points * 2 * width, R(0));
+      const std::size_t width = derivative_count(dimension_, o);
+      images.tensors[o].assign(points * rows * width, R(0));
       for (std::size_t p = 0; p < points; ++p) {
         const R* from = &table.tensors[o][p * table.stride[o]];
         for (const Vec3<R>& vertex : vertices_)
-          for (std::size_t row = 0; row < 2; ++row)
-            for (int column = 0; column < 2; ++column)
+          for (std::size_t row = 0; row < rows; ++row)
+            for (int column = 0; column < dimension_; ++column)
               for (std::size_t d = 0; d < width; ++d)
-                images.tensors[o][(2 * p + row) * width + d] += *from++ * vertex[column];
+                images.tensors[o][(rows * p + row) * width + d] += *from++ * vertex[column];
       }
     }
     return images;
   }
 
  private:
+  int dimension_;
   std::vector<Vec3<R>> vertices_;
   DeformationReport report_;
 };
@@ -52,7 +54,7 @@ class Elastic final : public Deformer<R> {
   DeformationReport prepared() const override { return report_on(coordinates_); }
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
     check_pose(coordinates_.elements(), pose);
-    return std::make_unique<ElasticPosed<R>>(pose.vertices);
+    return std::make_unique<ElasticPosed<R>>(coordinates_.dimension(), pose.vertices);
   }
 
  private:
