@@ -156,6 +156,25 @@ CAGEPROOF_API void cageproof_bound_free(cageproof_bound* bound);
 CAGEPROOF_API int cageproof_bound_images(const cageproof_deformer* deformer, const cageproof_bound* bound,
                                          double* images, size_t images_size, double* jacobians, size_t jacobians_size);
 
+/* The derivative J of images by the posed vertices, at the deformer's pose. No differences are taken: posed normals,
+ * their lengths, and all that the method makes of the pose change with the vertices. Methods without derivatives are an
+ * error that names those that have them, and so is a posed element without area or length whose normal has none.
+ *
+ * jvp: J times a change of the posed vertices (as many numbers as the pose), which is the change of the images; NaN for
+ * points without image. */
+CAGEPROOF_API int cageproof_deformer_jvp(const cageproof_deformer* deformer, const double* points, size_t points_size,
+                                         const double* change, size_t change_size, double* images, size_t images_size);
+CAGEPROOF_API int cageproof_bound_jvp(const cageproof_deformer* deformer, const cageproof_bound* bound,
+                                      const double* change, size_t change_size, double* images, size_t images_size);
+/* vjp: the transposed J times weights of images: from a function's derivatives by the images to those by the posed
+ * vertices. Weights of points without image must be zero. The same bits with any number of threads. */
+CAGEPROOF_API int cageproof_deformer_vjp(const cageproof_deformer* deformer, const double* points, size_t points_size,
+                                         const double* weights, size_t weights_size, double* vertices,
+                                         size_t vertices_size);
+CAGEPROOF_API int cageproof_bound_vjp(const cageproof_deformer* deformer, const cageproof_bound* bound,
+                                      const double* weights, size_t weights_size, double* vertices,
+                                      size_t vertices_size);
+
 /* ---- Inside ---- */
 
 typedef struct cageproof_inside cageproof_inside;

@@ -159,6 +159,23 @@ class Deformer {
     check(cageproof_bound_images(own_.get(), points.get(), images.data(), images.size(), jacobians.data(),
                                  jacobians.size()));
   }
+  /// The images' change along a change of the posed vertices.
+  void jvp(std::span<const double> points, std::span<const double> change, std::span<double> images) const {
+    check(cageproof_deformer_jvp(own_.get(), points.data(), points.size(), change.data(), change.size(), images.data(),
+                                 images.size()));
+  }
+  void jvp(const BoundPoints& points, std::span<const double> change, std::span<double> images) const {
+    check(cageproof_bound_jvp(own_.get(), points.get(), change.data(), change.size(), images.data(), images.size()));
+  }
+  /// A function's derivatives by the posed vertices, from those by the images.
+  void vjp(std::span<const double> points, std::span<const double> weights, std::span<double> vertices) const {
+    check(cageproof_deformer_vjp(own_.get(), points.data(), points.size(), weights.data(), weights.size(),
+                                 vertices.data(), vertices.size()));
+  }
+  void vjp(const BoundPoints& points, std::span<const double> weights, std::span<double> vertices) const {
+    check(cageproof_bound_vjp(own_.get(), points.get(), weights.data(), weights.size(), vertices.data(),
+                              vertices.size()));
+  }
 
  private:
   struct Free {

@@ -2,7 +2,7 @@
 """Cages, and what is made of them: coordinates, deformers, inside tests."""
 
 from ctypes import byref, c_int, c_size_t
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -240,6 +240,32 @@ class Deformer:
         else:
             call("deformer_images", self._handle.pointer, *passed(at), *passed(images), *passed(maps))
         return images if maps is None else (images, maps)
+
+    def jvp(self, points: Any, change: Any, out: Optional[np.ndarray] = None) -> np.ndarray:
+        """How the images change along a change of the posed vertices (vertices, dimension): the derivative J of images by
+        the pose, times the change: (n, dimension). NaN for points without image.
+
+        points: as of `images`. Raises Error for methods without derivatives, naming those that have them."""
+        given = points_of(change, self.dimension, "change")
+        return self._product("jvp", points, given, lambda count: result((count, self.dimension), out))
+
+    def vjp(self, points: Any, weights: Any, out: Optional[np.ndarray] = None) -> np.ndarray:
+        """The transposed J times weights of images (n, dimension): from the derivatives of a function by the images to
+        those by the posed vertices: (vertices, dimension). Weights of points without image must be zero.
+
+        points: as of `images`. Raises Error as `jvp`."""
+        given = points_of(weights, self.dimension, "weights")
+        return self._product("vjp", points, given, lambda count: result((self._vertices, self.dimension), out))
+
+    def _product(self, name: str, points: Any, given: np.ndarray, room: Callable[[int], np.ndarray]) -> np.ndarray:
+        if isinstance(points, BoundPoints):
+            product = room(len(points))
+            call("bound_" + name, self._handle.pointer, points._handle.pointer, *passed(given), *passed(product))
+        else:
+            at = points_of(points, self.dimension)
+            product = room(len(at))
+            call("deformer_" + name, self._handle.pointer, *passed(at), *passed(given), *passed(product))
+        return product
 
 
 __all__: Sequence[str] = ["Block", "BoundPoints", "Cage", "Coordinates", "Deformer", "Places", "read"]

@@ -159,6 +159,22 @@ class Deformer {
   /// \throws InputError as above, for Jacobians that were not bound, and for points of another Deformer
   void images(const BoundPoints& points, std::span<double> images, std::span<double> jacobians = {}) const;
 
+  /// The derivative J of images by the posed vertices, at this pose, times a change of them: the change of the images.
+  /// It is a derivative, with no differences taken; posed normals, their stretches and all that the method makes of the
+  /// pose change with the vertices. NaN for points without image. Options::digits has no effect on it.
+  /// \param change as many numbers as the pose has \param images as many as the points have
+  /// \throws InputError as `images`; where the method has no derivative with its parameters, naming those that have;
+  /// where there is none at the pose: a posed element without area or length, whose normal has none, by its name
+  void jvp(std::span<const double> points, std::span<const double> change, std::span<double> images) const;
+  void jvp(const BoundPoints& points, std::span<const double> change, std::span<double> images) const;
+
+  /// The transposed J times weights of images: if these are the derivatives of a function by the images, those by the
+  /// posed vertices. The same bits with any number of threads.
+  /// \param weights as many numbers as the points have \param vertices as many as the pose has
+  /// \throws InputError as `jvp`, and for weights other than zero of a point that has no image
+  void vjp(std::span<const double> points, std::span<const double> weights, std::span<double> vertices) const;
+  void vjp(const BoundPoints& points, std::span<const double> weights, std::span<double> vertices) const;
+
  private:
   struct Prepared;
   std::unique_ptr<Prepared> prepared_;

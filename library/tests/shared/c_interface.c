@@ -105,7 +105,7 @@ static void deformers(void) {
   cageproof_cage* cage = cube();
   cageproof_deformer *green = NULL, *other = NULL;
   cageproof_bound* bound = NULL;
-  double twice[24], images[6], again[6], jacobians[18];
+  double twice[24], images[6], again[6], jacobians[18], back[24], back_of_bound[24], sum = 0;
   size_t i;
   for (i = 0; i < 24; ++i) twice[i] = 2 * kCorners[i];
   expect(cageproof_deformer_make(cage, "green", NULL, 0, &green) == CAGEPROOF_OK, "a deformer");
@@ -123,6 +123,28 @@ static void deformers(void) {
   refuses(cageproof_bound_images(green, bound, again, 5, NULL, 0), "images", "room for images");
   refuses(cageproof_bound_images(green, NULL, again, 6, NULL, 0), "null", "no points");
   refuses(cageproof_deformer_make(NULL, "green", NULL, 0, &other), "null", "no cage");
+  /* Along the pose itself, images grow as it does; back, both directions are one matrix. */
+  expect(cageproof_deformer_jvp(green, kPoints, 6, twice, 24, again, 6) == CAGEPROOF_OK, "a derivative");
+  for (i = 0; i < 6; ++i) expect(fabs(again[i] - images[i]) < 1e-14, "along the pose");
+  expect(cageproof_bound_jvp(green, bound, kCorners, 24, again, 6) == CAGEPROOF_OK && fabs(again[0] - 0.5) < 1e-14, "of bound points");
+  expect(cageproof_deformer_vjp(green, kPoints, 6, images, 6, back, 24) == CAGEPROOF_OK, "the transposed derivative");
+  expect(cageproof_bound_vjp(green, bound, images, 6, back_of_bound, 24) == CAGEPROOF_OK, "of bound points");
+  expect(memcmp(back, back_of_bound, sizeof back) == 0, "the transposed derivative, to the bit");
+  for (i = 0; i < 24; ++i) sum += back[i] * kCorners[i];
+  for (i = 0; i < 6; ++i) sum -= images[i] * again[i];
+  expect(fabs(sum) < 1e-14, "both directions");
+  refuses(cageproof_deformer_jvp(green, kPoints, 6, twice, 23, again, 6), "change", "too short a change");
+  refuses(cageproof_deformer_vjp(green, kPoints, 6, images, 5, back, 24), "weights", "too few weights");
+  refuses(cageproof_bound_vjp(green, bound, images, 6, back, 21), "vertices", "room for vertices");
+  refuses(cageproof_bound_jvp(green, NULL, twice, 24, again, 6), "null", "no points");
+  cage = cube();
+  expect(cageproof_deformer_make(cage, "ahap", NULL, 0, &other) == CAGEPROOF_OK, "another deformer");
+  refuses(cageproof_bound_jvp(other, bound, twice, 24, again, 6), "another", "points of another deformer");
+  refuses(cageproof_deformer_jvp(other, kPoints, 6, twice, 24, again, 6), "pose", "no pose yet");
+  expect(cageproof_deformer_pose(other, twice, 24) == CAGEPROOF_OK, "a pose");
+  refuses(cageproof_deformer_jvp(other, kPoints, 6, twice, 24, again, 6), "green", "a method without derivatives names others");
+  cageproof_cage_free(cage);
+  cageproof_deformer_free(other);
   cageproof_bound_free(bound);
   cageproof_deformer_free(green);
 }

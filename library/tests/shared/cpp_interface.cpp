@@ -27,6 +27,16 @@ int main() {
   const BoundPoints bound = deformer.bind(points);
   deformer.images(bound, again);
   expect(images == again && std::abs(images[0] - 0.3) < 1e-14, "images");
+  std::vector<double> back(24), back_of_bound(24);
+  deformer.jvp(points, posed, again);
+  expect(std::abs(again[1] - images[1]) < 1e-14, "along the pose");
+  deformer.jvp(bound, posed, again);
+  deformer.vjp(points, again, back);
+  deformer.vjp(bound, again, back_of_bound);
+  double both = 0;
+  for (std::size_t i = 0; i < 24; ++i) both += back[i] * posed[i];
+  for (std::size_t i = 0; i < 6; ++i) both -= again[i] * again[i];
+  expect(back == back_of_bound && std::abs(both) < 1e-14, "both directions of a derivative");
   expect(list("methods").find("somigliana") != std::string::npos, "names");
   try {
     Coordinates(cube, "nonsense");

@@ -89,8 +89,13 @@ int main(int argc, char** argv) {
       if (check(cageproof_deformer_make(cage, one_of(methods, 4), options, count, &made)) == CAGEPROOF_OK) {
         check(cageproof_deformer_pose(made, numbers(3), size(24)));
         check(cageproof_deformer_images(made, points, at, room(0), size(at), NULL, 0));
-        if (check(cageproof_deformer_bind(made, points, at, (int)below(2), &bound)) == CAGEPROOF_OK)
+        check(cageproof_deformer_jvp(made, points, at, numbers(2), size(24), room(0), size(at)));
+        check(cageproof_deformer_vjp(made, points, at, numbers(2), size(at), room(0), size(24)));
+        if (check(cageproof_deformer_bind(made, points, at, (int)below(2), &bound)) == CAGEPROOF_OK) {
           check(cageproof_bound_images(made, bound, room(0), size(at), room(1), size(3 * at)));
+          check(cageproof_bound_jvp(made, bound, numbers(2), size(24), room(0), size(at)));
+          check(cageproof_bound_vjp(made, bound, numbers(2), size(at), room(0), size(24)));
+        }
       }
       cageproof_bound_free(bound);
       cageproof_deformer_free(made);
