@@ -37,6 +37,9 @@ struct RowSlopes {
       vertices[vertex] += slope.transpose() * weight;
     }
   }
+  void add_transposed(const std::vector<Vec3<R>>& weights, std::vector<Vec3<R>>& vertices) const {
+    for (const auto& [row, vertex, slope] : parts) vertices[vertex] += slope.transpose() * weights[row];
+  }
 };
 
 }  // namespace cageproof::deformation

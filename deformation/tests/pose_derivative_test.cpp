@@ -64,7 +64,8 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 
 bool has_derivative(const Setting& s) {
   const bool is_least = s.method == "biharmonic_boundary" && s.parameters[0].second == 2;
-  return deform_method_named(s.method).has_pose_derivative && !is_least;
+  const bool bulges = s.method.ends_with("somigliana") && s.parameters[1].second != 0;
+  return deform_method_named(s.method).has_pose_derivative && !is_least && !bulges;
 }
 
 std::vector<Case> cases() { return {cube(), square(), pentagon()}; }
@@ -82,6 +83,7 @@ TEST(pose_derivative, differences_in_50_digits) {
     all.push_back({"biharmonic_direct", {{"normals", stretch}, {"neumann", 1}}});
   }
   for (const double stretch : {0., 1., 2., 3., 4.}) all.push_back({"quad_green", {{"stretch", stretch}}});
+  for (const double variant : {0., 1., 2.}) all.push_back({"somigliana", {{"variant", variant}}});
   for (const Case& c : cases())
     for (const Setting& s : all) {
       if (!why_refused(deform_method_named(s.method), c.cage).empty()) continue;
@@ -156,7 +158,8 @@ TEST(pose_derivative, motions_of_the_pose) {
             << c.name << ' ' << s.text() << ": " << what;
       };
       expect("a shift", [&](const Vec&) { return shift; });
-      expect("a turn", [&](const Vec& v) { return Vec(axis.cross(v)); });
+      // Displacements of linear elasticity do not turn with the pose.
+      if (s.method != "elastic") expect("a turn", [&](const Vec& v) { return Vec(axis.cross(v)); });
       const bool has_unit = !s.parameters.empty() && s.parameters[0].second >= 3;
       const bool is_unit_boundary = s.method == "biharmonic_boundary" && s.parameters[0].second == 0;
       if (!has_unit && !is_unit_boundary) expect("a scaling", [&](const Vec& v) { return v; });
@@ -171,7 +174,9 @@ TEST(pose_derivative, places_and_sizes) {
                            Setting{"biharmonic_direct", {{"normals", 2}, {"neumann", 1}}}}) {
     const auto deformer = prepared_with(c.cage, s);
     const std::vector<double> here = along(c, *deformer, *derivative_of(c, s, *deformer), change);
-    for (const double by : {std::ldexp(1.0, 200), std::ldexp(1.0, -200)}) {
+    // Rotations of elements are not unique where the map's stretches differ by all digits from the normal's.
+    const int most = s.method == "biharmonic_direct" ? 10 : 200;
+    for (const double by : {std::ldexp(1.0, most), std::ldexp(1.0, -most)}) {
       Case other = c;
       for (Vec& v : other.posed) v *= by;
       EXPECT_LT(largest_difference(along(other, *deformer, *derivative_of(other, s, *deformer), change), here), 1e-13)

@@ -132,6 +132,17 @@ CAGEPROOF_API int cageproof_coordinates_apply(const cageproof_coordinates* coord
                                               size_t points_size, const double* data, size_t data_size, int functions,
                                               double* sums, size_t sums_size);
 
+/* The derivative of values by the vertices of the cage, for points that stay where they are; of kind "green" alone, in
+ * space and in the plane. jvp: times a change of the vertices (as many numbers as the cage has), the change of the
+ * values; NaN on edges and vertices. vjp: the transposed derivative times weights of values, as many numbers as the
+ * cage's vertices; the same bits with any number of threads. */
+CAGEPROOF_API int cageproof_coordinates_jvp(const cageproof_coordinates* coordinates, const double* points,
+                                            size_t points_size, const double* change, size_t change_size,
+                                            double* values, size_t values_size);
+CAGEPROOF_API int cageproof_coordinates_vjp(const cageproof_coordinates* coordinates, const double* points,
+                                            size_t points_size, const double* weights, size_t weights_size,
+                                            double* vertices, size_t vertices_size);
+
 /* ---- Deformers ---- */
 
 typedef struct cageproof_deformer cageproof_deformer;

@@ -68,6 +68,8 @@ _SIGNATURES = {
     "coordinates_elements": [c_void_p, *_ARRAY, *_ARRAY, *_ARRAY],
     "coordinates_evaluate": [c_void_p, *_ARRAY, *_ARRAY, *_ARRAY, *_ARRAY],
     "coordinates_apply": [c_void_p, *_ARRAY, *_ARRAY, c_int, *_ARRAY],
+    "coordinates_jvp": [c_void_p, *_ARRAY, *_ARRAY, *_ARRAY],
+    "coordinates_vjp": [c_void_p, *_ARRAY, *_ARRAY, *_ARRAY],
     "deformer_make": [c_void_p, c_char_p, *_OPTIONS, POINTER(c_void_p)],
     "deformer_pose": [c_void_p, *_ARRAY],
     "deformer_images": [c_void_p, *_ARRAY, *_ARRAY, *_ARRAY],

@@ -24,7 +24,7 @@ def posed():
     return cage, cage.vertices + 0.1 * random.normal(size=change.shape), change, random.uniform(-0.3, 0.3, (150, 3))
 
 
-@pytest.mark.parametrize("method, options", [("mean_value", {}), ("green", {}), ("green", {"digits": 3}), ("biharmonic_1_3", {"neumann": "affine"})])
+@pytest.mark.parametrize("method, options", [("mean_value", {}), ("green", {}), ("green", {"digits": 3}), ("biharmonic_1_3", {"neumann": "affine"}), ("somigliana", {}), ("quad_somigliana", {"variant": "local"})])
 def test_both_directions(posed, method, options):
     cage, vertices, change, points = posed
     deformer = cage.deformer(method, **options)
@@ -66,8 +66,10 @@ def test_refusals(posed):
         green.vjp(points, points[:-1])
     with pytest.raises(cageproof.Error, match="another"):
         green.vjp(cage.deformer("green").bind(points), points)
-    with pytest.raises(cageproof.Error, match="somigliana: .* mean_value, .*quad_green"):
-        cage.deformer("somigliana").pose(vertices).jvp(points, change)
+    with pytest.raises(cageproof.Error, match="ahap: .* mean_value, .*quad_green"):
+        cage.deformer("ahap").pose(vertices).jvp(points, change)
+    with pytest.raises(cageproof.Error, match="somigliana: .* with these parameters"):
+        cage.deformer("somigliana", gamma=1).pose(vertices).jvp(points, change)
     with pytest.raises(cageproof.Error, match="no area"):
         cage.deformer("green", stretch="area").pose(vertices * 0).vjp(points, points)
 

@@ -106,6 +106,17 @@ class Coordinates {
   /// \param functions how many \param sums [point][function] \throws InputError as evaluate, and for matrices
   void apply(std::span<const double> points, std::span<const double> data, int functions, std::span<double> sums) const;
 
+  /// The derivative of values by the vertices of the cage, for points that stay where they are, times a change of the
+  /// vertices: the change of the values. Kind green alone, in space and in the plane. NaN on edges and vertices.
+  /// \param change as many numbers as the cage's vertices \param values as of `evaluate`
+  /// \throws InputError for other kinds, and spans of other sizes
+  void jvp(std::span<const double> points, std::span<const double> change, std::span<double> values) const;
+
+  /// The transposed derivative times weights of values: a function's derivatives by the vertices, from those by the
+  /// values. The same bits with any number of threads. \param weights as values of `evaluate` \throws InputError as
+  /// `jvp`
+  void vjp(std::span<const double> points, std::span<const double> weights, std::span<double> vertices) const;
+
  private:
   struct Prepared;
   std::shared_ptr<const Prepared> prepared_;

@@ -67,7 +67,7 @@ class PoseDerivative {
  public:
   virtual ~PoseDerivative() = default;
 
-  /// J times a change: a pose whose images are the changes of images, and whose Jacobians those of Jacobians.
+  /// J times a change: a pose whose images are the changes of images. Only values: it has no Jacobians.
   /// \param change one row per vertex
   virtual std::unique_ptr<const Posed<R>> along(const std::vector<Vec3<R>>& change) const = 0;
 
