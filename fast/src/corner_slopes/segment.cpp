@@ -14,9 +14,10 @@ constexpr double kHalfPi = 1 / (2 * std::numbers::pi);
 Vec3<double> quarter_turn(const Vec3<double>& v) { return {v[1], -v[0], 0}; }
 
 // int -ln r/(2 pi) ds, and det/(2 pi) int Gamma_j/r^2 du, differentiated under the integral.
-LayerSlopes segment_by_gauss(const Vec3<double>& first, const Vec3<double>& second) {
+// \param side between the ends, which far from the point their difference has not to all digits
+LayerSlopes segment_by_gauss(const Vec3<double>& first, const Vec3<double>& second, const Vec3<double>& side) {
   const GaussLegendre<double>& rule = gauss_legendre<double>(12);
-  const Vec3<double> side = second - first, along = side / side.norm();
+  const Vec3<double> along = side / side.norm();
   const double length = side.norm(), det = first.dot(quarter_turn(side));
   LayerSlopes found;
   found.single.fill(Vec3<double>::Zero());
@@ -52,7 +53,7 @@ LayerSlopes segment_layer_slopes(const std::array<Vec3<double>, 2>& corners, con
   const Vec3<double> first = corners[0] - point, second = corners[1] - point, side = corners[1] - corners[0];
   const double length = side.norm();
   constexpr double far = 3;
-  if (((first + second) / 2).norm() > far * length) return segment_by_gauss(first, second);
+  if (((first + second) / 2).norm() > far * length) return segment_by_gauss(first, second, side);
   const Vec3<double> along = side / length, n = quarter_turn(along);
   LayerSlopes found;
   for (int m = 0; m < 2; ++m) {
