@@ -30,8 +30,12 @@ class ElementSlopes {
     const auto corners = elements_.corners(element);
     const std::size_t n = points.size(), width = static_cast<std::size_t>(d_);
     std::vector<double> single(n), doubled(n * width);
-    evaluate(single_, corners, points, single, 1);
-    evaluate(doubled_, corners, points, doubled, width);
+    BatchOutput<double> outputs[2];
+    for (BatchOutput<double>& output : outputs) output.entries = 1, output.dim = d_;
+    outputs[0].tensors[0] = single.data(), outputs[0].stride[0] = 1;
+    outputs[1].tensors[0] = doubled.data(), outputs[1].stride[0] = width;
+    const Evaluation* const members[2]{&single_.evaluation(), &doubled_.evaluation()};
+    Evaluation::together<double>(members, Batch<double>{corners, points, 0, {}}, outputs);
     for (std::size_t p = 0; p < n; ++p) {
       const double* const of = &doubled[p * width];
       use(p, d_ == 3 ? fast::triangle_layer_slopes({corners[0], corners[1], corners[2]}, points[p], single[p],
@@ -41,13 +45,6 @@ class ElementSlopes {
   }
 
  private:
-  static void evaluate(const ElementFormula& of, std::span<const Vec3<double>> corners,
-                       std::span<const Vec3<double>> points, std::vector<double>& to, std::size_t width) {
-    BatchOutput<double> output{.tensors = {to.data()}, .entries = 1, .dim = of.formula().dim()};
-    output.stride[0] = width;
-    of.evaluation()(Batch<double>{corners, points, 0, of.parameters()}, output);
-  }
-
   const CageElements& elements_;
   int d_;
   ElementFormula single_, doubled_;

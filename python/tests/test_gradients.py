@@ -90,6 +90,42 @@ def test_points_without_images(posed):
     assert green.vjp(np.empty((0, 3)), np.empty((0, 3))).shape == vertices.shape and not green.vjp(np.empty((0, 3)), np.empty((0, 3))).any()
 
 
+@pytest.mark.parametrize("plane", [False, True])
+def test_coordinates_by_the_rest_cage(posed, plane):
+    cage, _, change, points = posed
+    if plane:
+        cage = cageproof.Cage([[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]], [[k, (k + 1) % 6] for k in range(6)])
+        change, points = change[:6, :2], points[:, :2] + 0.5
+        points[0] = [300, 200]
+    else:
+        points[0] = 40
+    green = cage.prepare("green")
+    found = green.jvp(points, change)
+    # Quads must stay cut as they are.
+    faces = [[v for v in row if v >= 0] for row in green.elements.tolist()]
+    expected = differences(lambda v: cageproof.Cage(v, faces).coordinates("green", points), cage.vertices, change)
+    assert abs(found - expected).max() < 1e-9
+    weights = np.random.default_rng(6).normal(size=found.shape)
+    back = green.vjp(points, weights)
+    assert np.array_equal(back, cage.prepare("green", threads=1).vjp(points, weights))
+    assert abs(np.sum(weights * found) - np.sum(back * change)) < 1e-12
+    # A shift of the cage is one of the points, back; a scaling of both keeps phi.
+    gradients = green(points, 1)[1]
+    assert abs(green.jvp(points, np.ones_like(cage.vertices)) + gradients.sum(axis=2)).max() < 1e-13
+    scaling = green.jvp(points, cage.vertices) + np.einsum("pix,px->pi", gradients, points)
+    assert abs(green.split(scaling)["phi"]).max() < 1e-13
+    # On an edge there is none; on a face the limit from inside.
+    on = np.stack([cage.vertices[faces[0]].mean(axis=0), cage.vertices[faces[0][:1]].mean(axis=0)])
+    assert np.isfinite(green.jvp(on, change)[0]).all() and np.isnan(green.jvp(on, change)[1]).any()
+    for act in (lambda: cage.prepare("mean_value").jvp(points, change), lambda: cage.prepare("mean_value").vjp(points, np.ones((len(points), len(cage.vertices))))):
+        with pytest.raises(cageproof.Error, match="mean_value: .* those of green"):
+            act()
+    with pytest.raises(cageproof.Error, match="weights"):
+        green.vjp(points, weights[:, :-1])
+    with pytest.raises(cageproof.Error, match="change"):
+        green.jvp(points, change[:-1])
+
+
 def test_page_and_its_function_for_pytorch(posed, monkeypatch):
     monkeypatch.setitem(sys.modules, "torch", torch_stub.module())
     namespace = run_page("gradients.md", blocks("gradients.md"))

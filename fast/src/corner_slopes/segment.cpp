@@ -16,7 +16,7 @@ Vec3<double> quarter_turn(const Vec3<double>& v) { return {v[1], -v[0], 0}; }
 // int -ln r/(2 pi) ds, and det/(2 pi) int Gamma_j/r^2 du, differentiated under the integral.
 // \param side between the ends, which far from the point their difference has not to all digits
 LayerSlopes segment_by_gauss(const Vec3<double>& first, const Vec3<double>& second, const Vec3<double>& side) {
-  const GaussLegendre<double>& rule = gauss_legendre<double>(12);
+  static const GaussLegendre<double>& rule = gauss_legendre<double>(12);
   const Vec3<double> along = side / side.norm();
   const double length = side.norm(), det = first.dot(quarter_turn(side));
   LayerSlopes found;

@@ -23,8 +23,10 @@ struct SideMoments {
 SideMoments side_moments(const Vec& a, const Vec& b, double length, const Vec& along) {
   // Seen under small angles the logarithm and its companions cancel, and Gauss points are as good.
   constexpr double far = 1.5;
-  if (((a + b) / 2).norm() > far * length) {
-    const GaussLegendre<double>& rule = gauss_legendre<double>(14);
+  if (const double distance = ((a + b) / 2).norm(); distance > far * length) {
+    static const GaussLegendre<double>&many = gauss_legendre<double>(14), &some = gauss_legendre<double>(9),
+                 &few = gauss_legendre<double>(6);
+    const GaussLegendre<double>& rule = distance > 8 * length ? few : distance > 3 * length ? some : many;
     SideMoments found{};
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const double v = rule.nodes[i], u = 1 - v, r = (u * a + v * b).norm(), w = rule.weights[i] * length / r;
@@ -53,8 +55,9 @@ SideMoments side_moments(const Vec& a, const Vec& b, double length, const Vec& a
 
 // int Gamma_j (x - p).n/(4 pi r^3) = det/(4 pi) int Gamma_j/r^3 du dv, and int 1/(4 pi r), differentiated under the
 // integral.
-LayerSlopes by_gauss(const std::array<Vec, 3>& corners, const std::array<Vec, 3>& from_point) {
-  const GaussLegendre<double>& rule = gauss_legendre<double>(8);
+LayerSlopes by_gauss(const std::array<Vec, 3>& corners, const std::array<Vec, 3>& from_point, bool is_very_far) {
+  static const GaussLegendre<double>&many = gauss_legendre<double>(8), &few = gauss_legendre<double>(5);
+  const GaussLegendre<double>& rule = is_very_far ? few : many;
   const Vec first = corners[1] - corners[0], second = corners[2] - corners[0], across = first.cross(second);
   const double area_element = across.norm(), det = from_point[0].dot(across);
   std::array<double, 3> cubes{};
@@ -100,7 +103,8 @@ LayerSlopes triangle_layer_slopes(const std::array<Vec, 3>& corners, const Vec& 
     size = std::max(size, sides[k].norm());
   }
   constexpr double far = 5;
-  if (((y[0] + y[1] + y[2]) / 3).norm() > far * size) return by_gauss(corners, y);
+  if (const double distance = ((y[0] + y[1] + y[2]) / 3).norm(); distance > far * size)
+    return by_gauss(corners, y, distance > 25 * size);
   // From the corner between the two shorter sides, where least cancels.
   int widest = 0;
   for (int k = 1; k < 3; ++k)

@@ -68,7 +68,7 @@ static void coordinates(void) {
   cageproof_cage* cage = cube();
   cageproof_coordinates *green = NULL, *other = NULL;
   cageproof_block block;
-  double values[2 * 20], gradients[3 * 2 * 20], normals[36], sums[2], sum = 0;
+  double values[2 * 20], gradients[3 * 2 * 20], normals[36], sums[2], change[24], changed[2 * 20], back[24], sum = 0;
   int32_t corners[48], faces[12];
   size_t row = 0, blocks = 0, elements = 0, i;
   cageproof_option options[2] = {{"threads", "1"}, {"nu", "0.7"}}, broken = {NULL, "1"}, number = {"threads", "many"};
@@ -92,6 +92,22 @@ static void coordinates(void) {
   expect(cageproof_coordinates_apply(green, kPoints, 6, gradients, 20, 1, sums, 2) == CAGEPROOF_OK &&
              fabs(sums[1] - 1) < 1e-14, "applied to ones");
   refuses(cageproof_coordinates_apply(green, kPoints, 6, gradients, 20, -1, sums, 2), "functions", "fewer than none");
+  /* By the cage's vertices: a shift of them all is one of the points, back. */
+  for (i = 0; i < 24; ++i) change[i] = i % 3 == 0;
+  expect(cageproof_coordinates_evaluate(green, kPoints, 6, values, 40, gradients, 120, NULL, 0) == CAGEPROOF_OK, "gradients");
+  expect(cageproof_coordinates_jvp(green, kPoints, 6, change, 24, changed, 40) == CAGEPROOF_OK, "by the cage's vertices");
+  for (i = 0; i < 40; ++i) expect(fabs(changed[i] + gradients[3 * i]) < 1e-14, "a shift of the cage");
+  expect(cageproof_coordinates_vjp(green, kPoints, 6, values, 40, back, 24) == CAGEPROOF_OK, "back to the cage's vertices");
+  for (i = 0, sum = 0; i < 24; ++i) sum += back[i] * change[i];
+  for (i = 0; i < 40; ++i) sum -= values[i] * changed[i];
+  expect(fabs(sum) < 1e-14, "both directions by the cage's vertices");
+  refuses(cageproof_coordinates_jvp(green, kPoints, 6, change, 21, changed, 40), "8", "too few vertices");
+  refuses(cageproof_coordinates_jvp(green, kPoints, 6, change, 24, changed, 39), "values", "room for values");
+  refuses(cageproof_coordinates_vjp(green, kPoints, 6, values, 39, back, 24), "weights", "too few weights");
+  expect(cageproof_coordinates_make(cage, "mean_value", NULL, 0, &other) == CAGEPROOF_OK, "another kind");
+  refuses(cageproof_coordinates_jvp(other, kPoints, 6, change, 24, changed, 16), "green", "a kind without derivatives names others");
+  cageproof_coordinates_free(other);
+  other = NULL;
   refuses(cageproof_coordinates_make(cage, "somigliana", options, 2, &other), "nu", "a parameter out of range");
   refuses(cageproof_coordinates_make(cage, "nonsense", NULL, 0, &other), "nonsense", "an unknown kind");
   refuses(cageproof_coordinates_make(cage, "green", &broken, 1, &other), "null", "an option without name");

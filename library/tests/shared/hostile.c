@@ -81,6 +81,8 @@ int main(int argc, char** argv) {
         const int order = (int)below(2);
         check(cageproof_coordinates_evaluate(made, points, at, room(0), size(at / 3 * row), order ? room(1) : NULL, order ? size(at * row) : 0, NULL, 0));
         check(cageproof_coordinates_apply(made, points, at, numbers(2), size(row), (int)below(3), room(2), size(at / 3)));
+        check(cageproof_coordinates_jvp(made, points, at, numbers(2), size(24), room(0), size(at / 3 * row)));
+        check(cageproof_coordinates_vjp(made, points, at, out[0], size(at / 3 * row), room(1), size(24)));
       }
       cageproof_coordinates_free(made);
     } else if (below(2)) {
