@@ -43,6 +43,36 @@ class ElasticPosed final : public Posed<R> {
   DeformationReport report_;
 };
 
+// The map is linear.
+template <Scalar R>
+class ElasticDerivative final : public PoseDerivative<R> {
+ public:
+  explicit ElasticDerivative(std::size_t vertices) : vertices_(static_cast<Eigen::Index>(vertices)) {}
+
+  std::unique_ptr<const Posed<R>> along(const std::vector<Vec3<R>>& change) const override {
+    return std::make_unique<ElasticPosed<R>>(change);
+  }
+  std::vector<Matrix<R>> nothing() const override { return {Matrix<R>::Zero(vertices_, 2)}; }
+  void gather(std::span<const CoordinateTable<R>> coordinates, std::size_t points, std::span<const R> weights,
+              std::vector<Matrix<R>>& gathered) const override {
+    const CoordinateTable<R>& table = coordinates[0];
+    for (std::size_t p = 0; p < points; ++p) {
+      const R* from = &table.tensors[0][p * table.stride[0]];
+      for (Eigen::Index v = 0; v < vertices_; ++v)
+        for (std::size_t row = 0; row < 2; ++row)
+          for (int column = 0; column < 2; ++column) gathered[0](v, column) += *from++ * weights[2 * p + row];
+    }
+  }
+  std::vector<Vec3<R>> back(const std::vector<Matrix<R>>& gathered) const override {
+    std::vector<Vec3<R>> found;
+    for (Eigen::Index v = 0; v < vertices_; ++v) found.emplace_back(gathered[0](v, 0), gathered[0](v, 1), R(0));
+    return found;
+  }
+
+ private:
+  Eigen::Index vertices_;
+};
+
 template <Scalar R>
 class Elastic final : public Deformer<R> {
  public:
@@ -55,6 +85,10 @@ class Elastic final : public Deformer<R> {
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
     check_pose(coordinates_.elements(), pose);
     return std::make_unique<ElasticPosed<R>>(coordinates_.dimension(), pose.vertices);
+  }
+  std::unique_ptr<const PoseDerivative<R>> derivative(const Pose<R>& pose) const override {
+    check_pose(coordinates_.elements(), pose);
+    return std::make_unique<ElasticDerivative<R>>(pose.vertices.size());
   }
 
  private:
@@ -70,6 +104,7 @@ const RegisterDeformMethod elastic{{.name = "elastic",
                                     .source = "[C23] Sections 3 and 4.2, by boundary elements",
                                     .keeps = "affine maps",
                                     .kind = "elastic",
+                                    .has_pose_derivative = true,
                                     .prepare = prepare_elastic<double>,
                                     .prepare_in_50_digits = prepare_elastic<Mp50>}};
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The deformer of Green coordinates (Lipman et al. 2008): f = phi V' + psi N', N' the posed normals, stretched. On
 // quads that are kept there is one a corner.
-#include "linear_posed.h"
 #include "kept_quads.h"
+#include "linear_pose_derivative.h"
+#include "normal_slopes.h"
 #include "posed_orientation.h"
 
 #include "cageproof/deformation/stretch.h"
@@ -32,6 +33,14 @@ class Green final : public Deformer<R> {
     return std::make_unique<LinearPosed<R>>(std::vector<Matrix<R>>{rows_of(pose.vertices, d), rows_of(normals, d)},
                                             std::move(report));
   }
+  std::unique_ptr<const PoseDerivative<R>> derivative(const Pose<R>& pose) const override {
+    const CageElements& elements = coordinates_.elements();
+    check_pose(elements, pose, normals_owner(coordinates_));
+    return std::make_unique<LinearPoseDerivative<R>>(coordinates_.dimension(), pose.vertices.size(),
+                                                     pose.normal_derivatives.empty()
+                                                         ? stretched_normal_slopes(stretch_, elements, pose.vertices)
+                                                         : RowSlopes<R>{.rows = pose.normal_derivatives.size()});
+  }
 
  private:
   CageCoordinates coordinates_;
@@ -56,6 +65,7 @@ DeformMethod method_of_green() {
           .kind = kind_of_green(KeepsQuads),
           .parameters = {stretch_parameter("stretch", "of the posed normals", Stretch::Rms, KeepsQuads)},
           .takes_normal_derivatives = true,
+          .has_pose_derivative = true,
           .refuses = KeepsQuads ? why_quads_are_refused : nullptr,
           .prepare = prepare<double, KeepsQuads>,
           .prepare_in_50_digits = prepare<Mp50, KeepsQuads>};

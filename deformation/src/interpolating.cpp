@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Interpolating deformers: coordinates of values times the posed vertices ([T18] Section 5).
-#include "linear_posed.h"
+#include "linear_pose_derivative.h"
 
 #include "cageproof/deformation/stretch.h"
 
@@ -20,6 +20,10 @@ class Interpolating final : public Deformer<R> {
     check_pose(coordinates_.elements(), pose);
     return std::make_unique<LinearPosed<R>>(std::vector<Matrix<R>>{rows_of(pose.vertices, coordinates_.dimension())},
                                             DeformationReport());
+  }
+  std::unique_ptr<const PoseDerivative<R>> derivative(const Pose<R>& pose) const override {
+    check_pose(coordinates_.elements(), pose);
+    return std::make_unique<LinearPoseDerivative<R>>(coordinates_.dimension(), pose.vertices.size(), RowSlopes<R>());
   }
 
  private:
@@ -53,6 +57,7 @@ DeformMethod method(std::string_view source) {
           .source = source,
           .keeps = "affine maps",
           .kind = Kind::kind,
+          .has_pose_derivative = true,
           .prepare = prepare<Kind, double>,
           .prepare_in_50_digits = prepare<Kind, Mp50>};
 }

@@ -148,6 +148,22 @@ std::shared_ptr<const Deformer<R>> with_other_parameters(const DeformMethod& met
   return found;
 }
 
+template <Scalar R>
+std::unique_ptr<const PoseDerivative<R>> pose_derivative(const DeformMethod& method, const Deformer<R>& deformer,
+                                                         const Pose<R>& pose) {
+  if (auto found = deformer.derivative(pose)) return found;
+  std::vector<std::string_view> names;
+  for (const DeformMethod& other : known())
+    if (other.has_pose_derivative) names.push_back(other.name);
+  throw InputError(fmt::format("{}: images have no derivatives by posed vertices{} yet; those of {} have", method.name,
+                               method.has_pose_derivative ? " with these parameters" : "", fmt::join(names, ", ")));
+}
+
+template std::unique_ptr<const PoseDerivative<double>> pose_derivative<double>(const DeformMethod&,
+                                                                               const Deformer<double>&,
+                                                                               const Pose<double>&);
+template std::unique_ptr<const PoseDerivative<Mp50>> pose_derivative<Mp50>(const DeformMethod&, const Deformer<Mp50>&,
+                                                                           const Pose<Mp50>&);
 template std::shared_ptr<const Deformer<double>> with_other_parameters<double>(const DeformMethod&,
                                                                                const Deformer<double>&,
                                                                                const std::vector<double>&);

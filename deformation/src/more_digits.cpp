@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "more_digits.h"
 
-#include "linear_posed.h"
+#include "linear_pose_derivative.h"
 #include "pose_roundings.h"
 #include "thinness.h"
 
@@ -19,6 +19,48 @@ constexpr double thin = 100;
 // Evaluations in 50 digits of one layer at one sample, a quarter of a millisecond each in space and less in the plane:
 // half a minute.
 double most_evaluations(int dimension) { return dimension == 2 ? 3e5 : 1e5; }
+
+const std::vector<Matrix<Mp50>>& data_of(const Posed<Mp50>& posed) {
+  return dynamic_cast<const LinearPosed<Mp50>&>(posed).data();
+}
+
+template <Scalar To, Scalar From>
+std::vector<Matrix<To>> blocks_in(const std::vector<Matrix<From>>& data) {
+  std::vector<Matrix<To>> found;
+  found.reserve(data.size());
+  for (const Matrix<From>& block : data) found.emplace_back(block.template cast<To>());
+  return found;
+}
+
+template <Scalar To, Scalar From>
+std::vector<Vec3<To>> points_in(const std::vector<Vec3<From>>& points) {
+  std::vector<Vec3<To>> found;
+  found.reserve(points.size());
+  for (const Vec3<From>& p : points) found.push_back(convert<To>(p));
+  return found;
+}
+
+// A derivative whose data are found in 50 digits, and whose points' coordinates are double's.
+class RoundedDerivative final : public PoseDerivative<double> {
+ public:
+  explicit RoundedDerivative(std::unique_ptr<const PoseDerivative<Mp50>> wide) : wide_(std::move(wide)) {}
+
+  std::unique_ptr<const Posed<double>> along(const std::vector<Vec3<double>>& change) const override {
+    return std::make_unique<LinearPosed<double>>(blocks_in<double>(data_of(*wide_->along(points_in<Mp50>(change)))),
+                                                 DeformationReport());
+  }
+  std::vector<Matrix<double>> nothing() const override { return blocks_in<double>(wide_->nothing()); }
+  void gather(std::span<const CoordinateTable<double>> coordinates, std::size_t points, std::span<const double> weights,
+              std::vector<Matrix<double>>& gathered) const override {
+    gather_rows(coordinates, points, weights, gathered);
+  }
+  std::vector<Vec3<double>> back(const std::vector<Matrix<double>>& gathered) const override {
+    return points_in<double>(wide_->back(blocks_in<Mp50>(gathered)));
+  }
+
+ private:
+  std::unique_ptr<const PoseDerivative<Mp50>> wide_;
+};
 
 // A pose in double whose data were found in 50 digits.
 class Rounded final : public Deformer<double> {
@@ -52,24 +94,17 @@ class Rounded final : public Deformer<double> {
     }
     return std::make_unique<LinearPosed<double>>(in_double(data), std::move(report));
   }
+  std::unique_ptr<const PoseDerivative<double>> derivative(const Pose<double>& pose) const override {
+    auto wide = wide_->derivative({in_wide(pose.vertices), in_wide(pose.normal_derivatives), in_wide(pose.laplacians),
+                                   in_wide(pose.laplacian_derivatives)});
+    return wide ? std::make_unique<RoundedDerivative>(std::move(wide)) : nullptr;
+  }
 
  private:
-  static const std::vector<Matrix<Mp50>>& data_of(const Posed<Mp50>& posed) {
-    return dynamic_cast<const LinearPosed<Mp50>&>(posed).data();
-  }
   static std::vector<Matrix<double>> in_double(const std::vector<Matrix<Mp50>>& data) {
-    std::vector<Matrix<double>> found;
-    found.reserve(data.size());
-    for (const Matrix<Mp50>& block : data) found.emplace_back(block.template cast<double>());
-    return found;
+    return blocks_in<double>(data);
   }
-
-  static std::vector<Vec3<Mp50>> in_wide(const std::vector<Vec3<double>>& points) {
-    std::vector<Vec3<Mp50>> found;
-    found.reserve(points.size());
-    for (const Vec3<double>& p : points) found.push_back(convert<Mp50>(p));
-    return found;
-  }
+  static std::vector<Vec3<Mp50>> in_wide(const std::vector<Vec3<double>>& points) { return points_in<Mp50>(points); }
 
   std::shared_ptr<const Deformer<Mp50>> wide_;
   std::shared_ptr<const PoseRoundings> roundings_;
@@ -93,6 +128,9 @@ class Warned final : public Deformer<double> {
     return other ? std::make_shared<Warned>(std::move(other), warning_) : nullptr;
   }
   std::unique_ptr<const Posed<double>> pose(const Pose<double>& pose) const override { return deformer_->pose(pose); }
+  std::unique_ptr<const PoseDerivative<double>> derivative(const Pose<double>& pose) const override {
+    return deformer_->derivative(pose);
+  }
 
  private:
   std::shared_ptr<const Deformer<double>> deformer_;

@@ -51,17 +51,27 @@ class InOwnPlace final : public Deformer<R> {
   }
 
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
-    std::vector<Vec3<double>> vertices;
-    vertices.reserve(pose.vertices.size());
-    for (const Vec3<R>& v : pose.vertices) vertices.push_back(convert<double>(v));
-    const Vec3<double> place = own_place(vertices);
+    const Vec3<double> place = place_of(pose);
     if (place == Vec3<double>::Zero()) return deformer_->pose(pose);
-    Pose<R> there = pose;
-    for (Vec3<R>& v : there.vertices) v -= convert<R>(place);
-    return shifted<R>(deformer_->pose(there), place, coordinates().dimension());
+    return shifted<R>(deformer_->pose(at_place(pose, place)), place, coordinates().dimension());
+  }
+  // A shift has no derivative, and changes none.
+  std::unique_ptr<const PoseDerivative<R>> derivative(const Pose<R>& pose) const override {
+    return deformer_->derivative(at_place(pose, place_of(pose)));
   }
 
  private:
+  static Vec3<double> place_of(const Pose<R>& pose) {
+    std::vector<Vec3<double>> vertices;
+    vertices.reserve(pose.vertices.size());
+    for (const Vec3<R>& v : pose.vertices) vertices.push_back(convert<double>(v));
+    return own_place(vertices);
+  }
+  static Pose<R> at_place(Pose<R> pose, const Vec3<double>& place) {
+    for (Vec3<R>& v : pose.vertices) v -= convert<R>(place);
+    return pose;
+  }
+
   std::shared_ptr<const Deformer<R>> deformer_;
 };
 

@@ -93,6 +93,9 @@ class Stating final : public Deformer<double> {
     roundings_->state(moved, pose.vertices, report);
     return std::make_unique<Reported>(std::move(posed), std::move(report));
   }
+  std::unique_ptr<const PoseDerivative<double>> derivative(const Pose<double>& pose) const override {
+    return deformer_->derivative(pose);
+  }
 
  private:
   std::shared_ptr<const Deformer<double>> deformer_;

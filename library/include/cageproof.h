@@ -132,6 +132,17 @@ CAGEPROOF_API int cageproof_coordinates_apply(const cageproof_coordinates* coord
                                               size_t points_size, const double* data, size_t data_size, int functions,
                                               double* sums, size_t sums_size);
 
+/* The derivative of values by the vertices of the cage, for points that stay where they are; of kind "green" alone, in
+ * space and in the plane. jvp: times a change of the vertices (as many numbers as the cage has), the change of the
+ * values; NaN on edges and vertices. vjp: the transposed derivative times weights of values, as many numbers as the
+ * cage's vertices; the same bits with any number of threads. */
+CAGEPROOF_API int cageproof_coordinates_jvp(const cageproof_coordinates* coordinates, const double* points,
+                                            size_t points_size, const double* change, size_t change_size,
+                                            double* values, size_t values_size);
+CAGEPROOF_API int cageproof_coordinates_vjp(const cageproof_coordinates* coordinates, const double* points,
+                                            size_t points_size, const double* weights, size_t weights_size,
+                                            double* vertices, size_t vertices_size);
+
 /* ---- Deformers ---- */
 
 typedef struct cageproof_deformer cageproof_deformer;
@@ -155,6 +166,25 @@ CAGEPROOF_API void cageproof_bound_free(cageproof_bound* bound);
 /* Images of points that this deformer bound, the same numbers as those of the points themselves. */
 CAGEPROOF_API int cageproof_bound_images(const cageproof_deformer* deformer, const cageproof_bound* bound,
                                          double* images, size_t images_size, double* jacobians, size_t jacobians_size);
+
+/* The derivative J of images by the posed vertices, at the deformer's pose. No differences are taken: posed normals,
+ * their lengths, and all that the method makes of the pose change with the vertices. Methods without derivatives are an
+ * error that names those that have them, and so is a posed element without area or length whose normal has none.
+ *
+ * jvp: J times a change of the posed vertices (as many numbers as the pose), which is the change of the images; NaN for
+ * points without image. */
+CAGEPROOF_API int cageproof_deformer_jvp(const cageproof_deformer* deformer, const double* points, size_t points_size,
+                                         const double* change, size_t change_size, double* images, size_t images_size);
+CAGEPROOF_API int cageproof_bound_jvp(const cageproof_deformer* deformer, const cageproof_bound* bound,
+                                      const double* change, size_t change_size, double* images, size_t images_size);
+/* vjp: the transposed J times weights of images: from a function's derivatives by the images to those by the posed
+ * vertices. Weights of points without image must be zero. The same bits with any number of threads. */
+CAGEPROOF_API int cageproof_deformer_vjp(const cageproof_deformer* deformer, const double* points, size_t points_size,
+                                         const double* weights, size_t weights_size, double* vertices,
+                                         size_t vertices_size);
+CAGEPROOF_API int cageproof_bound_vjp(const cageproof_deformer* deformer, const cageproof_bound* bound,
+                                      const double* weights, size_t weights_size, double* vertices,
+                                      size_t vertices_size);
 
 /* ---- Inside ---- */
 

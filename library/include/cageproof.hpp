@@ -109,6 +109,16 @@ class Coordinates {
     check(cageproof_coordinates_evaluate(own_.get(), points.data(), points.size(), values.data(), values.size(),
                                          gradients.data(), gradients.size(), hessians.data(), hessians.size()));
   }
+  /// The values' change along a change of the cage's vertices.
+  void jvp(std::span<const double> points, std::span<const double> change, std::span<double> values) const {
+    check(cageproof_coordinates_jvp(own_.get(), points.data(), points.size(), change.data(), change.size(),
+                                    values.data(), values.size()));
+  }
+  /// A function's derivatives by the cage's vertices, from those by the values.
+  void vjp(std::span<const double> points, std::span<const double> weights, std::span<double> vertices) const {
+    check(cageproof_coordinates_vjp(own_.get(), points.data(), points.size(), weights.data(), weights.size(),
+                                    vertices.data(), vertices.size()));
+  }
   const cageproof_coordinates* get() const { return own_.get(); }
 
  private:
@@ -158,6 +168,23 @@ class Deformer {
   void images(const BoundPoints& points, std::span<double> images, std::span<double> jacobians = {}) const {
     check(cageproof_bound_images(own_.get(), points.get(), images.data(), images.size(), jacobians.data(),
                                  jacobians.size()));
+  }
+  /// The images' change along a change of the posed vertices.
+  void jvp(std::span<const double> points, std::span<const double> change, std::span<double> images) const {
+    check(cageproof_deformer_jvp(own_.get(), points.data(), points.size(), change.data(), change.size(), images.data(),
+                                 images.size()));
+  }
+  void jvp(const BoundPoints& points, std::span<const double> change, std::span<double> images) const {
+    check(cageproof_bound_jvp(own_.get(), points.get(), change.data(), change.size(), images.data(), images.size()));
+  }
+  /// A function's derivatives by the posed vertices, from those by the images.
+  void vjp(std::span<const double> points, std::span<const double> weights, std::span<double> vertices) const {
+    check(cageproof_deformer_vjp(own_.get(), points.data(), points.size(), weights.data(), weights.size(),
+                                 vertices.data(), vertices.size()));
+  }
+  void vjp(const BoundPoints& points, std::span<const double> weights, std::span<double> vertices) const {
+    check(cageproof_bound_vjp(own_.get(), points.get(), weights.data(), weights.size(), vertices.data(),
+                              vertices.size()));
   }
 
  private:

@@ -8,19 +8,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 
 namespace cageproof::library {
 namespace {
 
 std::shared_ptr<const deformation::Deformer<double>> prepared_deformer(const cageproof::Cage& cage,
-                                                                       const std::string& name,
+                                                                       const deformation::DeformMethod& method,
                                                                        const Options& options) {
-  const deformation::DeformMethod& method = deformation::deform_method_named(name);
   return deformation::prepare_deformer<double>(
       method, cage,
       {.evaluation = options.evaluation.empty() ? std::string(quickest) : options.evaluation,
        .triangulation = triangulation_of(options),
-       .parameters = parameters_of(options, deformation::parameters_of(method), name)});
+       .parameters = parameters_of(options, deformation::parameters_of(method), method.name)});
 }
 
 // Points whose coordinates are computed together.
@@ -29,20 +29,33 @@ constexpr std::size_t kTogether = 64;
 }  // namespace
 
 struct Deformer::Prepared {
-  Prepared(const cageproof::Cage& cage, const std::string& method, const Options& options)
-      : deformer(prepared_deformer(cage, method, options)),
+  Prepared(const cageproof::Cage& cage, const std::string& name, const Options& options)
+      : method(deformation::deform_method_named(name)),
+        deformer(prepared_deformer(cage, method, options)),
         region(deformation::region_of(deformer->coordinates())),
         threads(options.threads),
         digits(options.digits) {
     if (digits == 0) return;
-    if (method != "green") throw InputError(fmt::format("digits: {} has all digits only; there is green", method));
+    if (name != "green") throw InputError(fmt::format("digits: {} has all digits only; there is green", name));
     if (digits < 3 || digits > 12) throw InputError(fmt::format("digits: {} is not from 3 to 12", digits));
   }
 
+  // Of the pose; found when it is asked for first.
+  const deformation::PoseDerivative<double>& derivative() {
+    const std::lock_guard lock(finding);
+    if (!posed) throw InputError("derivatives of images are asked for before the cage has a pose");
+    if (!found) found = deformation::pose_derivative(method, *deformer, {.vertices = vertices});
+    return *found;
+  }
+
+  const deformation::DeformMethod& method;
   std::shared_ptr<const deformation::Deformer<double>> deformer;
   std::unique_ptr<const deformation::Posed<double>> posed;
   std::optional<deformation::Inside> region;
   int threads, digits;
+  std::vector<Vec3<double>> vertices;  // of the pose
+  std::mutex finding;
+  std::unique_ptr<const deformation::PoseDerivative<double>> found;
 };
 
 Deformer::Deformer(const Cage& rest, const std::string& method, const Options& options)
@@ -53,7 +66,10 @@ Deformer& Deformer::operator=(Deformer&&) noexcept = default;
 
 void Deformer::pose(std::span<const double> vertices) {
   const int dimension = prepared_->deformer->coordinates().dimension();
-  prepared_->posed = prepared_->deformer->pose({.vertices = vectors_of(vertices, dimension, "posed vertices")});
+  std::vector<Vec3<double>> posed = vectors_of(vertices, dimension, "posed vertices");
+  prepared_->posed = prepared_->deformer->pose({.vertices = posed});
+  prepared_->vertices = std::move(posed);
+  prepared_->found.reset();
 }
 
 struct BoundPoints::Kept {
@@ -84,6 +100,29 @@ void put(deformation::PointImages found, std::span<const Vec3<double>> points, s
   deformation::fill_missing(found, points, static_cast<int>(d), deformation::Missing::Nan);
   for (std::size_t o = 0; o < 2; ++o)
     if (!out[o].empty()) std::ranges::copy(found.maps.front().tensors[o], out[o].begin());
+}
+
+}  // namespace
+
+namespace {
+
+void check_given(std::span<const double> numbers, std::size_t wanted, std::string_view what) {
+  if (numbers.size() != wanted) throw InputError(fmt::format("{}: {} numbers, not {}", what, numbers.size(), wanted));
+}
+
+// The pose's derivative along a change. Generic, because only members name the type.
+template <class Prepared>
+std::unique_ptr<const deformation::Posed<double>> changed(Prepared& prepared, std::size_t d,
+                                                          std::span<const double> change) {
+  const deformation::PoseDerivative<double>& derivative = prepared.derivative();
+  check_given(change, prepared.vertices.size() * d, "change");
+  return derivative.along(vectors_of(change, static_cast<int>(d), "change"));
+}
+
+void put_vertices(const std::vector<Vec3<double>>& found, std::size_t d, std::span<double> vertices) {
+  check_size(vertices.size(), found.size() * d, "vertices");
+  for (std::size_t v = 0; v < found.size(); ++v)
+    std::copy_n(found[v].data(), d, vertices.begin() + static_cast<std::ptrdiff_t>(v * d));
 }
 
 }  // namespace
@@ -124,6 +163,44 @@ void Deformer::images(const BoundPoints& points, std::span<double> images, std::
   if (order > kept.coordinates.order()) throw InputError("jacobians: the points were bound without; bind them with");
   const std::array maps{prepared_->posed.get()};
   put(kept.coordinates.images(maps, order, prepared_->threads), kept.points, kept.dimension, {images, jacobians});
+}
+
+void Deformer::jvp(std::span<const double> points, std::span<const double> change, std::span<double> images) const {
+  const CageCoordinates& coordinates = prepared_->deformer->coordinates();
+  const auto d = static_cast<std::size_t>(coordinates.dimension());
+  const auto along = changed(*prepared_, d, change);
+  const std::vector<Vec3<double>> at = vectors_of(points, coordinates.dimension(), "points");
+  check_size(images.size(), points.size(), "images");
+  const std::array maps{along.get()};
+  put(deformation::images_of(coordinates, at, maps, {0, prepared_->threads, kTogether}, prepared_->region), at, d,
+      {images, {}});
+}
+
+void Deformer::jvp(const BoundPoints& points, std::span<const double> change, std::span<double> images) const {
+  const BoundPoints::Kept& kept = *points.kept_;
+  if (kept.of != prepared_->deformer) throw InputError("the points were bound by another Deformer");
+  const auto along = changed(*prepared_, kept.dimension, change);
+  check_size(images.size(), points.size() * kept.dimension, "images");
+  const std::array maps{along.get()};
+  put(kept.coordinates.images(maps, 0, prepared_->threads), kept.points, kept.dimension, {images, {}});
+}
+
+void Deformer::vjp(std::span<const double> points, std::span<const double> weights, std::span<double> vertices) const {
+  const CageCoordinates& coordinates = prepared_->deformer->coordinates();
+  const deformation::PoseDerivative<double>& derivative = prepared_->derivative();
+  const std::vector<Vec3<double>> at = vectors_of(points, coordinates.dimension(), "points");
+  check_given(weights, points.size(), "weights");
+  put_vertices(deformation::pulled_back(coordinates, at, derivative, weights, {0, prepared_->threads, kTogether},
+                                        prepared_->region),
+               static_cast<std::size_t>(coordinates.dimension()), vertices);
+}
+
+void Deformer::vjp(const BoundPoints& points, std::span<const double> weights, std::span<double> vertices) const {
+  const BoundPoints::Kept& kept = *points.kept_;
+  if (kept.of != prepared_->deformer) throw InputError("the points were bound by another Deformer");
+  const deformation::PoseDerivative<double>& derivative = prepared_->derivative();
+  check_given(weights, points.size() * kept.dimension, "weights");
+  put_vertices(kept.coordinates.pulled_back(derivative, weights, prepared_->threads), kept.dimension, vertices);
 }
 
 }  // namespace cageproof::library

@@ -68,11 +68,17 @@ _SIGNATURES = {
     "coordinates_elements": [c_void_p, *_ARRAY, *_ARRAY, *_ARRAY],
     "coordinates_evaluate": [c_void_p, *_ARRAY, *_ARRAY, *_ARRAY, *_ARRAY],
     "coordinates_apply": [c_void_p, *_ARRAY, *_ARRAY, c_int, *_ARRAY],
+    "coordinates_jvp": [c_void_p, *_ARRAY, *_ARRAY, *_ARRAY],
+    "coordinates_vjp": [c_void_p, *_ARRAY, *_ARRAY, *_ARRAY],
     "deformer_make": [c_void_p, c_char_p, *_OPTIONS, POINTER(c_void_p)],
     "deformer_pose": [c_void_p, *_ARRAY],
     "deformer_images": [c_void_p, *_ARRAY, *_ARRAY, *_ARRAY],
     "deformer_bind": [c_void_p, *_ARRAY, c_int, POINTER(c_void_p)],
     "bound_images": [c_void_p, c_void_p, *_ARRAY, *_ARRAY],
+    "deformer_jvp": [c_void_p, *_ARRAY, *_ARRAY, *_ARRAY],
+    "deformer_vjp": [c_void_p, *_ARRAY, *_ARRAY, *_ARRAY],
+    "bound_jvp": [c_void_p, c_void_p, *_ARRAY, *_ARRAY],
+    "bound_vjp": [c_void_p, c_void_p, *_ARRAY, *_ARRAY],
     "inside_make": [c_void_p, c_int, *_OPTIONS, POINTER(c_void_p)],
     "inside_points": [c_void_p, *_ARRAY, c_int, *_ARRAY, *_ARRAY, *_ARRAY, *_ARRAY],
     "formula_of": [c_char_p, POINTER(CFormula)],
@@ -93,7 +99,10 @@ def _load() -> ctypes.CDLL:
     if found != ABI_VERSION:
         raise ImportError(f"{file} has version {found} of the interface, this package wants {ABI_VERSION}: install both anew")
     for name, arguments in _SIGNATURES.items():
-        function = getattr(library, "cageproof_" + name)
+        try:
+            function = getattr(library, "cageproof_" + name)
+        except AttributeError:
+            raise ImportError(f"{file} has no cageproof_{name}: it is older than this package; install both anew") from None
         function.argtypes, function.restype = arguments, c_int
     for name in ("cage", "coordinates", "deformer", "bound", "inside"):
         function = getattr(library, f"cageproof_{name}_free")

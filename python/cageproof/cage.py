@@ -2,7 +2,7 @@
 """Cages, and what is made of them: coordinates, deformers, inside tests."""
 
 from ctypes import byref, c_int, c_size_t
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -148,6 +148,7 @@ class Coordinates:
         dimension, order, row, blocks, elements = c_int(), c_int(), c_size_t(), c_size_t(), c_size_t()
         call("coordinates_sizes", pointer, byref(dimension), byref(order), byref(row), byref(blocks), byref(elements))
         self.kind, self.dimension, self.max_order = kind, dimension.value, order.value
+        self._vertices = len(cage.vertices)
         #: numbers per point
         self.row: int = row.value
         self.blocks: List[Block] = []
@@ -186,6 +187,24 @@ class Coordinates:
         if len(at):
             call("coordinates_apply", self._handle.pointer, *passed(at), *passed(given), functions, *passed(sums))
         return sums
+
+    def jvp(self, points: Any, change: Any, out: Optional[np.ndarray] = None) -> np.ndarray:
+        """How the values change along a change of the cage's vertices (vertices, dimension), for points that stay where
+        they are: (n, row). Of kind "green" only, in space and in the plane; NaN on edges and vertices."""
+        at, given = points_of(points, self.dimension), points_of(change, self.dimension, "change")
+        found = result((len(at), self.row), out)
+        call("coordinates_jvp", self._handle.pointer, *passed(at), *passed(given), *passed(found))
+        return found
+
+    def vjp(self, points: Any, weights: Any, out: Optional[np.ndarray] = None) -> np.ndarray:
+        """The transposed derivative times weights of values (n, row): from a function's derivatives by the values to
+        those by the cage's vertices: (vertices, dimension). Kinds as of `jvp`."""
+        at, given = points_of(points, self.dimension), numbers(weights, "weights")
+        if given.shape != (len(at), self.row):
+            raise Error(f"weights: the shape is {given.shape}, not {(len(at), self.row)}")
+        found = result((self._vertices, self.dimension), out)
+        call("coordinates_vjp", self._handle.pointer, *passed(at), *passed(given), *passed(found))
+        return found
 
     def split(self, values: np.ndarray) -> Dict[str, np.ndarray]:
         """Values, gradients or Hessians by block, as views: {"phi": (n, count, ...), "psi": ...}; coordinates that are
@@ -240,6 +259,32 @@ class Deformer:
         else:
             call("deformer_images", self._handle.pointer, *passed(at), *passed(images), *passed(maps))
         return images if maps is None else (images, maps)
+
+    def jvp(self, points: Any, change: Any, out: Optional[np.ndarray] = None) -> np.ndarray:
+        """How the images change along a change of the posed vertices (vertices, dimension): the derivative J of images by
+        the pose, times the change: (n, dimension). NaN for points without image.
+
+        points: as of `images`. Raises Error for methods without derivatives, naming those that have them."""
+        given = points_of(change, self.dimension, "change")
+        return self._product("jvp", points, given, lambda count: result((count, self.dimension), out))
+
+    def vjp(self, points: Any, weights: Any, out: Optional[np.ndarray] = None) -> np.ndarray:
+        """The transposed J times weights of images (n, dimension): from the derivatives of a function by the images to
+        those by the posed vertices: (vertices, dimension). Weights of points without image must be zero.
+
+        points: as of `images`. Raises Error as `jvp`."""
+        given = points_of(weights, self.dimension, "weights")
+        return self._product("vjp", points, given, lambda count: result((self._vertices, self.dimension), out))
+
+    def _product(self, name: str, points: Any, given: np.ndarray, room: Callable[[int], np.ndarray]) -> np.ndarray:
+        if isinstance(points, BoundPoints):
+            product = room(len(points))
+            call("bound_" + name, self._handle.pointer, points._handle.pointer, *passed(given), *passed(product))
+        else:
+            at = points_of(points, self.dimension)
+            product = room(len(at))
+            call("deformer_" + name, self._handle.pointer, *passed(at), *passed(given), *passed(product))
+        return product
 
 
 __all__: Sequence[str] = ["Block", "BoundPoints", "Cage", "Coordinates", "Deformer", "Places", "read"]

@@ -32,6 +32,10 @@ class Direct final : public LayerDeformer<R> {
       data[3] = Matrix<R>::Zero(static_cast<Eigen::Index>(elements.count()), d);
     return std::make_unique<LinearPosed<R>>(std::move(data), std::move(report));
   }
+  std::unique_ptr<const PoseDerivative<R>> derivative(const Pose<R>& pose) const override {
+    return std::make_unique<LinearPoseDerivative<R>>(this->coordinates().dimension(), pose.vertices.size(),
+                                                     this->normal_slopes_at(stretch_, pose));
+  }
 
  private:
   Stretch stretch_;
@@ -54,6 +58,7 @@ const RegisterDeformMethod direct{
      .coordinate_parameters = {"neumann"},
      .takes_normal_derivatives = true,
      .takes_laplacians = true,
+     .has_pose_derivative = true,
      .prepare = prepare_direct<double>,
      .prepare_in_50_digits = prepare_direct<Mp50>}};
 

@@ -3,7 +3,8 @@
 // linear in V' and N'.
 #pragma once
 
-#include "../linear_posed.h"
+#include "../linear_pose_derivative.h"
+#include "../normal_slopes.h"
 #include "../posed_orientation.h"
 #include "corner_normals.h"
 #include "regularisation.h"
@@ -45,6 +46,14 @@ class LayerDeformer : public Deformer<R> {
     warn_of_orientation(elements, vertices, report.warnings);
     return normals_of() == Owner::Corner ? corner_normals(stretch, elements, vertices, report.warnings)
                                          : stretched_normals(stretch, elements, vertices);
+  }
+  /// The derivatives of own_normals() by the pose's vertices; zeros where the pose prescribes normals.
+  RowSlopes<R> normal_slopes_at(Stretch stretch, const Pose<R>& pose) const {
+    const CageElements& elements = coordinates_.elements();
+    check_pose(elements, pose, normals_of());
+    if (!pose.normal_derivatives.empty()) return {.rows = pose.normal_derivatives.size()};
+    return normals_of() == Owner::Corner ? corner_normal_slopes(stretch, elements, pose.vertices)
+                                         : stretched_normal_slopes(stretch, elements, pose.vertices);
   }
   void regularise(Regularisation<R> found) { regularisation_ = std::move(found); }
   const Regularisation<R>& regularisation() const { return regularisation_; }

@@ -62,6 +62,12 @@ class Regularised final : public LayerDeformer<R> {
     const int d = elements.dimension();
     return this->with(rows_of(pose.vertices, d), rows_of(normals, d), std::move(report));
   }
+  std::unique_ptr<const PoseDerivative<R>> derivative(const Pose<R>& pose) const override {
+    const Regularisation<R>& maps = this->regularisation();
+    return std::make_unique<LinearPoseDerivative<R>>(this->coordinates().dimension(), pose.vertices.size(),
+                                                     this->normal_slopes_at(stretch_, pose),
+                                                     DensityMaps<R>{maps.to_vertices, maps.to_normals});
+  }
 
  private:
   static Stretch stretch_by(const std::vector<double>& parameters) {
@@ -96,6 +102,7 @@ DeformMethod method(std::string_view name, std::string_view source) {
                      .parameters = parameters(C, KeepsQuads),
                      .takes_normal_derivatives = true,
                      .takes_derivatives_on_cage = C == Construction::OneTwo,
+                     .has_pose_derivative = true,
                      .refuses = KeepsQuads ? why_kept_overlap_is_refused : why_overlap_is_refused,
                      .prepare = prepare<C, KeepsQuads, double>,
                      .prepare_in_50_digits = prepare<C, KeepsQuads, Mp50>};

@@ -2,7 +2,8 @@
 // Deformation of the plane by biharmonic functions that are solved for: f = alpha F + beta d ([W12] Section 5.1
 // to 5.3).
 #include "../layers/samples.h"
-#include "../linear_posed.h"
+#include "../linear_pose_derivative.h"
+#include "../normal_slopes.h"
 #include "../posed_orientation.h"
 #include "../stretches.h"
 #include "solved_systems.h"
@@ -67,6 +68,18 @@ class BiharmonicBoundary final : public Deformer<R> {
                                 static_cast<double>(R((fixed + of_normals_ * normals).squaredNorm())));
     return std::make_unique<LinearPosed<R>>(std::vector<Matrix<R>>{vertices, normals}, std::move(report));
   }
+  // Normals of least Laplacians are those of a system whose matrix depends on the pose.
+  std::unique_ptr<const PoseDerivative<R>> derivative(const Pose<R>& pose) const override {
+    const CageElements& elements = coordinates_.elements();
+    check_pose(elements, pose);
+    const bool prescribes = !pose.normal_derivatives.empty();
+    if (!prescribes && normals_ == BoundaryNormals::LeastLaplacians) return nullptr;
+    const Stretch stretch = normals_ == BoundaryNormals::Unit ? Stretch::Unit : Stretch::Area;
+    return std::make_unique<LinearPoseDerivative<R>>(2, pose.vertices.size(),
+                                                     prescribes
+                                                         ? RowSlopes<R>{.rows = pose.normal_derivatives.size()}
+                                                         : stretched_normal_slopes(stretch, elements, pose.vertices));
+  }
 
  private:
   CageCoordinates coordinates_;
@@ -89,6 +102,7 @@ const RegisterDeformMethod biharmonic_boundary{
                      "how long posed normals are: one, as edges are stretched, or as harmonic as possible",
                      {"unit", "complex", "ahap"}}},
      .takes_normal_derivatives = true,
+     .has_pose_derivative = true,
      .prepare = prepare_boundary<double>,
      .prepare_in_50_digits = prepare_boundary<Mp50>}};
 

@@ -2,7 +2,6 @@
 #include "corotation.h"
 
 #include "../own_unit.h"
-#include "../turns.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/numbers/least_squares.h"
@@ -72,14 +71,23 @@ std::vector<R> spreads(const CageElements& rest, const std::vector<Vec3<R>>& ver
   return found;
 }
 
-// The unit normal that a coordinate multiplies. A quad's coordinate has been multiplied with its area element in
-// double, which is divided by here, so that it cancels in any scalar. \param from in that unit
+}  // namespace
+
+// A quad's coordinate has been multiplied with its area element in
+// double, which is divided by here, so that it cancels in any scalar.
 template <Scalar R>
 Vec3<R> rest_normal(const CageElements& rest, const std::vector<Vec3<R>>& from, const R& unit, const NormalPlace& at,
                     std::size_t coordinate) {
   if (rest.type(at.element).flat) return posed_normal(rest, from, at.element);
   return 4 * area_vector(rest, from, at) / R(R(rest.area_element_of(coordinate, Owner::Normal)) / unit / unit);
 }
+
+template <Scalar R>
+R volume_factor(double nu) {
+  return std::isinf(nu) ? R(-0.5) : R(R(nu) / (1 - 2 * R(nu)));
+}
+
+namespace {
 
 template <Scalar R>
 R wrapped(R angle) {
@@ -118,8 +126,7 @@ Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>
     for (std::size_t e = 0; e < rest.count(); ++e)
       bulges[e] = d == 2 ? wrapped(R(after[e] - before[e])) : R(after[e] - before[e]);
   }
-  // nu/(1 - 2 nu), -1/2 in the limit.
-  const R volume = std::isinf(options.nu) ? R(-0.5) : R(R(options.nu) / (1 - 2 * R(options.nu)));
+  const R volume = volume_factor<R>(options.nu);
   SpaceMatrix<R> sides = SpaceMatrix<R>::Zero(d, d);
   SpaceVector<R> uneven = SpaceVector<R>::Zero(d);
   std::vector<SpaceVector<R>> normals;
@@ -144,6 +151,12 @@ Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>
   return found;
 }
 
+template Vec3<double> rest_normal<double>(const CageElements&, const std::vector<Vec3<double>>&, const double&,
+                                          const NormalPlace&, std::size_t);
+template Vec3<Mp50> rest_normal<Mp50>(const CageElements&, const std::vector<Vec3<Mp50>>&, const Mp50&,
+                                      const NormalPlace&, std::size_t);
+template double volume_factor<double>(double);
+template Mp50 volume_factor<Mp50>(double);
 template Corotation<double> corotation_of<double>(const CageElements&, const std::vector<Vec3<double>>&,
                                                   const CorotationOptions&);
 template Corotation<Mp50> corotation_of<Mp50>(const CageElements&, const std::vector<Vec3<Mp50>>&,

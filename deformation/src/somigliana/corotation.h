@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../in_space.h"
+#include "../turns.h"
 
 #include "cageproof/deformation/deformer.h"
 
@@ -28,5 +29,14 @@ struct CorotationOptions {
 template <Scalar R>
 Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>& posed,
                             const CorotationOptions& options);
+
+/// The unit normal at rest that a coordinate multiplies. \param from the rest vertices in that unit
+template <Scalar R>
+Vec3<R> rest_normal(const CageElements& rest, const std::vector<Vec3<R>>& from, const R& unit, const NormalPlace& at,
+                    std::size_t coordinate);
+
+/// nu/(1 - 2 nu), -1/2 in the limit.
+template <Scalar R>
+R volume_factor(double nu);
 
 }  // namespace cageproof::deformation

@@ -3,6 +3,7 @@
 #include "../kept_quads.h"
 #include "../posed_orientation.h"
 #include "corotation.h"
+#include "derivative.h"
 #include "parts.h"
 #include "posed_matrices.h"
 
@@ -157,6 +158,17 @@ class Somigliana final : public Deformer<R> {
                                                 in_parts_ ? std::optional<double>(options_.nu) : std::nullopt);
   }
 
+  // Bulging has none yet.
+  std::unique_ptr<const PoseDerivative<R>> derivative(const Pose<R>& pose) const override {
+    const CageElements& elements = coordinates_.elements();
+    check_pose(elements, pose, normals_owner(coordinates_));
+    if (options_.gamma != 0) return nullptr;
+    return std::make_unique<SomiglianaDerivative<R>>(coordinates_.dimension(), pose.vertices,
+                                                     corotation_of<R>(elements, pose.vertices, options_),
+                                                     CorotationSlopes<R>(elements, pose.vertices, options_),
+                                                     in_parts_ ? std::optional<double>(options_.nu) : std::nullopt);
+  }
+
  private:
   CageCoordinates coordinates_;
   bool in_parts_;
@@ -207,6 +219,7 @@ DeformMethod method_of_somigliana() {
                      {{.name = "blend", .preset = 0.5, .lowest = kBelowZero, .highest = 1, .includes_highest = true},
                       "only of variant=blend, others ignore it: from global, 0, to local, 1"}},
       .with_parameters_of_kind = false,
+      .has_pose_derivative = true,
       .refuses = KeepsQuads ? why_quads_are_refused : nullptr,
       .prepare = prepare_somigliana<double, KeepsQuads>,
       .prepare_in_50_digits = prepare_somigliana<Mp50, KeepsQuads>};

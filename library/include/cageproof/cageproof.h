@@ -106,6 +106,17 @@ class Coordinates {
   /// \param functions how many \param sums [point][function] \throws InputError as evaluate, and for matrices
   void apply(std::span<const double> points, std::span<const double> data, int functions, std::span<double> sums) const;
 
+  /// The derivative of values by the vertices of the cage, for points that stay where they are, times a change of the
+  /// vertices: the change of the values. Kind green alone, in space and in the plane. NaN on edges and vertices.
+  /// \param change as many numbers as the cage's vertices \param values as of `evaluate`
+  /// \throws InputError for other kinds, and spans of other sizes
+  void jvp(std::span<const double> points, std::span<const double> change, std::span<double> values) const;
+
+  /// The transposed derivative times weights of values: a function's derivatives by the vertices, from those by the
+  /// values. The same bits with any number of threads. \param weights as values of `evaluate` \throws InputError as
+  /// `jvp`
+  void vjp(std::span<const double> points, std::span<const double> weights, std::span<double> vertices) const;
+
  private:
   struct Prepared;
   std::shared_ptr<const Prepared> prepared_;
@@ -158,6 +169,22 @@ class Deformer {
   /// \param points of this Deformer's `bind`
   /// \throws InputError as above, for Jacobians that were not bound, and for points of another Deformer
   void images(const BoundPoints& points, std::span<double> images, std::span<double> jacobians = {}) const;
+
+  /// The derivative J of images by the posed vertices, at this pose, times a change of them: the change of the images.
+  /// It is a derivative, with no differences taken; posed normals, their stretches and all that the method makes of the
+  /// pose change with the vertices. NaN for points without image. Options::digits has no effect on it.
+  /// \param change as many numbers as the pose has \param images as many as the points have
+  /// \throws InputError as `images`; where the method has no derivative with its parameters, naming those that have;
+  /// where there is none at the pose: a posed element without area or length, whose normal has none, by its name
+  void jvp(std::span<const double> points, std::span<const double> change, std::span<double> images) const;
+  void jvp(const BoundPoints& points, std::span<const double> change, std::span<double> images) const;
+
+  /// The transposed J times weights of images: if these are the derivatives of a function by the images, those by the
+  /// posed vertices. The same bits with any number of threads.
+  /// \param weights as many numbers as the points have \param vertices as many as the pose has
+  /// \throws InputError as `jvp`, and for weights other than zero of a point that has no image
+  void vjp(std::span<const double> points, std::span<const double> weights, std::span<double> vertices) const;
+  void vjp(const BoundPoints& points, std::span<const double> weights, std::span<double> vertices) const;
 
  private:
   struct Prepared;

@@ -109,6 +109,25 @@ int cageproof_coordinates_apply(const cageproof_coordinates* coordinates, const 
   });
 }
 
+int cageproof_coordinates_jvp(const cageproof_coordinates* coordinates, const double* points, size_t points_size,
+                              const double* change, size_t change_size, double* values, size_t values_size) {
+  return c::guarded([&] {
+    c::require(coordinates, "coordinates");
+    coordinates->coordinates.jvp(c::span_of(points, points_size, "points"), c::span_of(change, change_size, "change"),
+                                 c::span_of(values, values_size, "values"));
+  });
+}
+
+int cageproof_coordinates_vjp(const cageproof_coordinates* coordinates, const double* points, size_t points_size,
+                              const double* weights, size_t weights_size, double* vertices, size_t vertices_size) {
+  return c::guarded([&] {
+    c::require(coordinates, "coordinates");
+    coordinates->coordinates.vjp(c::span_of(points, points_size, "points"),
+                                 c::span_of(weights, weights_size, "weights"),
+                                 c::span_of(vertices, vertices_size, "vertices"));
+  });
+}
+
 int cageproof_deformer_make(const cageproof_cage* rest, const char* method, const cageproof_option* options,
                             size_t count, cageproof_deformer** deformer) {
   return c::guarded([&] {
@@ -156,6 +175,44 @@ int cageproof_bound_images(const cageproof_deformer* deformer, const cageproof_b
     c::require(bound, "bound");
     deformer->deformer.images(bound->bound, c::span_of(images, images_size, "images"),
                               c::span_of(jacobians, jacobians_size, "jacobians"));
+  });
+}
+
+int cageproof_deformer_jvp(const cageproof_deformer* deformer, const double* points, size_t points_size,
+                           const double* change, size_t change_size, double* images, size_t images_size) {
+  return c::guarded([&] {
+    c::require(deformer, "deformer");
+    deformer->deformer.jvp(c::span_of(points, points_size, "points"), c::span_of(change, change_size, "change"),
+                           c::span_of(images, images_size, "images"));
+  });
+}
+
+int cageproof_deformer_vjp(const cageproof_deformer* deformer, const double* points, size_t points_size,
+                           const double* weights, size_t weights_size, double* vertices, size_t vertices_size) {
+  return c::guarded([&] {
+    c::require(deformer, "deformer");
+    deformer->deformer.vjp(c::span_of(points, points_size, "points"), c::span_of(weights, weights_size, "weights"),
+                           c::span_of(vertices, vertices_size, "vertices"));
+  });
+}
+
+int cageproof_bound_jvp(const cageproof_deformer* deformer, const cageproof_bound* bound, const double* change,
+                        size_t change_size, double* images, size_t images_size) {
+  return c::guarded([&] {
+    c::require(deformer, "deformer");
+    c::require(bound, "bound");
+    deformer->deformer.jvp(bound->bound, c::span_of(change, change_size, "change"),
+                           c::span_of(images, images_size, "images"));
+  });
+}
+
+int cageproof_bound_vjp(const cageproof_deformer* deformer, const cageproof_bound* bound, const double* weights,
+                        size_t weights_size, double* vertices, size_t vertices_size) {
+  return c::guarded([&] {
+    c::require(deformer, "deformer");
+    c::require(bound, "bound");
+    deformer->deformer.vjp(bound->bound, c::span_of(weights, weights_size, "weights"),
+                           c::span_of(vertices, vertices_size, "vertices"));
   });
 }
 }

@@ -68,7 +68,7 @@ static void coordinates(void) {
   cageproof_cage* cage = cube();
   cageproof_coordinates *green = NULL, *other = NULL;
   cageproof_block block;
-  double values[2 * 20], gradients[3 * 2 * 20], normals[36], sums[2], sum = 0;
+  double values[2 * 20], gradients[3 * 2 * 20], normals[36], sums[2], change[24], changed[2 * 20], back[24], sum = 0;
   int32_t corners[48], faces[12];
   size_t row = 0, blocks = 0, elements = 0, i;
   cageproof_option options[2] = {{"threads", "1"}, {"nu", "0.7"}}, broken = {NULL, "1"}, number = {"threads", "many"};
@@ -92,6 +92,22 @@ static void coordinates(void) {
   expect(cageproof_coordinates_apply(green, kPoints, 6, gradients, 20, 1, sums, 2) == CAGEPROOF_OK &&
              fabs(sums[1] - 1) < 1e-14, "applied to ones");
   refuses(cageproof_coordinates_apply(green, kPoints, 6, gradients, 20, -1, sums, 2), "functions", "fewer than none");
+  /* By the cage's vertices: a shift of them all is one of the points, back. */
+  for (i = 0; i < 24; ++i) change[i] = i % 3 == 0;
+  expect(cageproof_coordinates_evaluate(green, kPoints, 6, values, 40, gradients, 120, NULL, 0) == CAGEPROOF_OK, "gradients");
+  expect(cageproof_coordinates_jvp(green, kPoints, 6, change, 24, changed, 40) == CAGEPROOF_OK, "by the cage's vertices");
+  for (i = 0; i < 40; ++i) expect(fabs(changed[i] + gradients[3 * i]) < 1e-14, "a shift of the cage");
+  expect(cageproof_coordinates_vjp(green, kPoints, 6, values, 40, back, 24) == CAGEPROOF_OK, "back to the cage's vertices");
+  for (i = 0, sum = 0; i < 24; ++i) sum += back[i] * change[i];
+  for (i = 0; i < 40; ++i) sum -= values[i] * changed[i];
+  expect(fabs(sum) < 1e-14, "both directions by the cage's vertices");
+  refuses(cageproof_coordinates_jvp(green, kPoints, 6, change, 21, changed, 40), "8", "too few vertices");
+  refuses(cageproof_coordinates_jvp(green, kPoints, 6, change, 24, changed, 39), "values", "room for values");
+  refuses(cageproof_coordinates_vjp(green, kPoints, 6, values, 39, back, 24), "weights", "too few weights");
+  expect(cageproof_coordinates_make(cage, "mean_value", NULL, 0, &other) == CAGEPROOF_OK, "another kind");
+  refuses(cageproof_coordinates_jvp(other, kPoints, 6, change, 24, changed, 16), "green", "a kind without derivatives names others");
+  cageproof_coordinates_free(other);
+  other = NULL;
   refuses(cageproof_coordinates_make(cage, "somigliana", options, 2, &other), "nu", "a parameter out of range");
   refuses(cageproof_coordinates_make(cage, "nonsense", NULL, 0, &other), "nonsense", "an unknown kind");
   refuses(cageproof_coordinates_make(cage, "green", &broken, 1, &other), "null", "an option without name");
@@ -105,7 +121,7 @@ static void deformers(void) {
   cageproof_cage* cage = cube();
   cageproof_deformer *green = NULL, *other = NULL;
   cageproof_bound* bound = NULL;
-  double twice[24], images[6], again[6], jacobians[18];
+  double twice[24], images[6], again[6], jacobians[18], back[24], back_of_bound[24], sum = 0;
   size_t i;
   for (i = 0; i < 24; ++i) twice[i] = 2 * kCorners[i];
   expect(cageproof_deformer_make(cage, "green", NULL, 0, &green) == CAGEPROOF_OK, "a deformer");
@@ -123,6 +139,28 @@ static void deformers(void) {
   refuses(cageproof_bound_images(green, bound, again, 5, NULL, 0), "images", "room for images");
   refuses(cageproof_bound_images(green, NULL, again, 6, NULL, 0), "null", "no points");
   refuses(cageproof_deformer_make(NULL, "green", NULL, 0, &other), "null", "no cage");
+  /* Along the pose itself, images grow as it does; back, both directions are one matrix. */
+  expect(cageproof_deformer_jvp(green, kPoints, 6, twice, 24, again, 6) == CAGEPROOF_OK, "a derivative");
+  for (i = 0; i < 6; ++i) expect(fabs(again[i] - images[i]) < 1e-14, "along the pose");
+  expect(cageproof_bound_jvp(green, bound, kCorners, 24, again, 6) == CAGEPROOF_OK && fabs(again[0] - 0.5) < 1e-14, "of bound points");
+  expect(cageproof_deformer_vjp(green, kPoints, 6, images, 6, back, 24) == CAGEPROOF_OK, "the transposed derivative");
+  expect(cageproof_bound_vjp(green, bound, images, 6, back_of_bound, 24) == CAGEPROOF_OK, "of bound points");
+  expect(memcmp(back, back_of_bound, sizeof back) == 0, "the transposed derivative, to the bit");
+  for (i = 0; i < 24; ++i) sum += back[i] * kCorners[i];
+  for (i = 0; i < 6; ++i) sum -= images[i] * again[i];
+  expect(fabs(sum) < 1e-14, "both directions");
+  refuses(cageproof_deformer_jvp(green, kPoints, 6, twice, 23, again, 6), "change", "too short a change");
+  refuses(cageproof_deformer_vjp(green, kPoints, 6, images, 5, back, 24), "weights", "too few weights");
+  refuses(cageproof_bound_vjp(green, bound, images, 6, back, 21), "vertices", "room for vertices");
+  refuses(cageproof_bound_jvp(green, NULL, twice, 24, again, 6), "null", "no points");
+  cage = cube();
+  expect(cageproof_deformer_make(cage, "ahap", NULL, 0, &other) == CAGEPROOF_OK, "another deformer");
+  refuses(cageproof_bound_jvp(other, bound, twice, 24, again, 6), "another", "points of another deformer");
+  refuses(cageproof_deformer_jvp(other, kPoints, 6, twice, 24, again, 6), "pose", "no pose yet");
+  expect(cageproof_deformer_pose(other, twice, 24) == CAGEPROOF_OK, "a pose");
+  refuses(cageproof_deformer_jvp(other, kPoints, 6, twice, 24, again, 6), "green", "a method without derivatives names others");
+  cageproof_cage_free(cage);
+  cageproof_deformer_free(other);
   cageproof_bound_free(bound);
   cageproof_deformer_free(green);
 }

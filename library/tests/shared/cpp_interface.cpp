@@ -19,6 +19,14 @@ int main() {
   double sum = 0;
   for (std::size_t i = 0; i < 8; ++i) sum += values[i];
   expect(std::abs(sum - 1) < 1e-14, "phi sum to one");
+  std::vector<double> shift(24, 1.0), changed(2 * green.row()), to_cage(24);
+  green.jvp(points, shift, changed);
+  expect(std::abs(changed[0] + gradients[0] + gradients[1] + gradients[2]) < 1e-14, "a shift of the cage");
+  green.vjp(points, changed, to_cage);
+  double both_of_cage = 0;
+  for (const double x : to_cage) both_of_cage += x;
+  for (const double x : changed) both_of_cage -= x * x;
+  expect(std::abs(both_of_cage) < 1e-14, "both directions by the cage");
   Deformer deformer(cube, "green");
   std::vector<double> posed = cube.vertices(), images(6), again(6);
   for (double& x : posed) x *= 3;
@@ -27,6 +35,16 @@ int main() {
   const BoundPoints bound = deformer.bind(points);
   deformer.images(bound, again);
   expect(images == again && std::abs(images[0] - 0.3) < 1e-14, "images");
+  std::vector<double> back(24), back_of_bound(24);
+  deformer.jvp(points, posed, again);
+  expect(std::abs(again[1] - images[1]) < 1e-14, "along the pose");
+  deformer.jvp(bound, posed, again);
+  deformer.vjp(points, again, back);
+  deformer.vjp(bound, again, back_of_bound);
+  double both = 0;
+  for (std::size_t i = 0; i < 24; ++i) both += back[i] * posed[i];
+  for (std::size_t i = 0; i < 6; ++i) both -= again[i] * again[i];
+  expect(back == back_of_bound && std::abs(both) < 1e-14, "both directions of a derivative");
   expect(list("methods").find("somigliana") != std::string::npos, "names");
   try {
     Coordinates(cube, "nonsense");

@@ -81,6 +81,8 @@ int main(int argc, char** argv) {
         const int order = (int)below(2);
         check(cageproof_coordinates_evaluate(made, points, at, room(0), size(at / 3 * row), order ? room(1) : NULL, order ? size(at * row) : 0, NULL, 0));
         check(cageproof_coordinates_apply(made, points, at, numbers(2), size(row), (int)below(3), room(2), size(at / 3)));
+        check(cageproof_coordinates_jvp(made, points, at, numbers(2), size(24), room(0), size(at / 3 * row)));
+        check(cageproof_coordinates_vjp(made, points, at, out[0], size(at / 3 * row), room(1), size(24)));
       }
       cageproof_coordinates_free(made);
     } else if (below(2)) {
@@ -89,8 +91,13 @@ int main(int argc, char** argv) {
       if (check(cageproof_deformer_make(cage, one_of(methods, 4), options, count, &made)) == CAGEPROOF_OK) {
         check(cageproof_deformer_pose(made, numbers(3), size(24)));
         check(cageproof_deformer_images(made, points, at, room(0), size(at), NULL, 0));
-        if (check(cageproof_deformer_bind(made, points, at, (int)below(2), &bound)) == CAGEPROOF_OK)
+        check(cageproof_deformer_jvp(made, points, at, numbers(2), size(24), room(0), size(at)));
+        check(cageproof_deformer_vjp(made, points, at, numbers(2), size(at), room(0), size(24)));
+        if (check(cageproof_deformer_bind(made, points, at, (int)below(2), &bound)) == CAGEPROOF_OK) {
           check(cageproof_bound_images(made, bound, room(0), size(at), room(1), size(3 * at)));
+          check(cageproof_bound_jvp(made, bound, numbers(2), size(24), room(0), size(at)));
+          check(cageproof_bound_vjp(made, bound, numbers(2), size(at), room(0), size(24)));
+        }
       }
       cageproof_bound_free(bound);
       cageproof_deformer_free(made);

@@ -60,6 +60,27 @@ class Posed {
   virtual std::vector<Vec3<R>> vertices() const { return {}; }
 };
 
+/// The derivative of a deformer's images by the vertices of its posed cage, at one pose: a linear map J of changes of
+/// vertices, which is exact to rounding (no differences). Points come as their coordinates, as they do for images.
+template <Scalar R>
+class PoseDerivative {
+ public:
+  virtual ~PoseDerivative() = default;
+
+  /// J times a change: a pose whose images are the changes of images. Only values: it has no Jacobians.
+  /// \param change one row per vertex
+  virtual std::unique_ptr<const Posed<R>> along(const std::vector<Vec3<R>>& change) const = 0;
+
+  /// What `gather` adds to, of zeros.
+  virtual std::vector<Matrix<R>> nothing() const = 0;
+  /// Adds points' shares in the transposed J, with as many numbers as the pose has data.
+  /// \param weights [point][component], of the images
+  virtual void gather(std::span<const CoordinateTable<R>> coordinates, std::size_t points, std::span<const R> weights,
+                      std::vector<Matrix<R>>& gathered) const = 0;
+  /// The transposed J times the weights of all points that were gathered: one row per vertex.
+  virtual std::vector<Vec3<R>> back(const std::vector<Matrix<R>>& gathered) const = 0;
+};
+
 /// A method prepared for one cage. Safe from any thread.
 template <Scalar R>
 class Deformer {
@@ -72,6 +93,9 @@ class Deformer {
   virtual DeformationReport prepared() const { return {}; }
   /// \throws InputError for a pose that the method cannot take, naming the vertex or element
   virtual std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const = 0;
+  /// The derivative of images by the vertices of the pose, which refers to the deformer. Null where
+  /// the method has none with its parameters. \throws InputError as `pose`, and where there is none at the pose
+  virtual std::unique_ptr<const PoseDerivative<R>> derivative(const Pose<R>& /*pose*/) const { return nullptr; }
   /// The method with other parameters, for the same cage, whose images are made from the same coordinates. Null where
   /// the parameters decide the coordinates, and of methods that know of no others.
   /// \pre as many as the method has, in range: with_other_parameters sees to it
@@ -117,6 +141,8 @@ struct DeformMethod {
   bool takes_laplacians = false;
   /// Whether preparing takes derivatives of coordinates on the cage, whose limits quadrature does not know.
   bool takes_derivatives_on_cage = false;
+  /// Whether images have derivatives by posed vertices, with some parameters at least (Deformer::derivative).
+  bool has_pose_derivative = false;
   /// Why there is no such deformer of a cage that has the coordinates; empty where there is. Null for methods that
   /// refuse none.
   std::string (*refuses)(const Cage& cage) = nullptr;
@@ -153,6 +179,14 @@ std::string why_refused(const DeformMethod& method, const Cage& cage);
 template <Scalar R>
 std::shared_ptr<const Deformer<R>> prepare_deformer(const DeformMethod& method, const Cage& cage,
                                                     DeformOptions options);
+
+/// The derivative at a pose; normal derivatives and densities that the pose prescribes stay as they are.
+/// \pre the deformer is of the method, and lives as long as the derivative
+/// \throws InputError where the method has none with its parameters, naming the methods that have; where the map has
+/// none at the pose, naming the element; and for a pose that the method does not take
+template <Scalar R>
+std::unique_ptr<const PoseDerivative<R>> pose_derivative(const DeformMethod& method, const Deformer<R>& deformer,
+                                                         const Pose<R>& pose);
 
 /// A prepared deformer with other parameters, made from the same coordinates (Deformer::with_parameters).
 /// \throws InputError for a parameter out of range, or where these would take other coordinates

@@ -42,6 +42,15 @@ PointImages images_of(const CageCoordinates& coordinates, std::span<const Vec3<d
                       std::span<const Posed<double>* const> maps, const ImageRun& run,
                       const std::optional<Inside>& region);
 
+/// The transposed derivative times weights of images: what a function of the images changes by with each vertex of the
+/// pose, if `weights` are its derivatives by the images. The sum is the same to the bit with any number of threads.
+/// \param weights [point][component] \return one row per vertex
+/// \pre as images_of(), of values \throws InputError for weights other than zero of a point that has no image, naming
+/// it
+std::vector<Vec3<double>> pulled_back(const CageCoordinates& coordinates, std::span<const Vec3<double>> points,
+                                      const PoseDerivative<double>& derivative, std::span<const double> weights,
+                                      const ImageRun& run, const std::optional<Inside>& region);
+
 /// How images to a number of digits were computed.
 struct DigitsReport {
   int degree = 0;            ///< of the expansions, the highest; 0 where all is summed face by face
@@ -72,6 +81,9 @@ class BoundPoints {
   /// The images that images_of() gives: to the bit at the same order, and to rounding at a lower one, whose coordinates
   /// an evaluation may round otherwise. \pre the maps are made from the coordinates, and order <= order()
   PointImages images(std::span<const Posed<double>* const> maps, int order, int jobs) const;
+  /// What pulled_back() gives. \throws InputError as that
+  std::vector<Vec3<double>> pulled_back(const PoseDerivative<double>& derivative, std::span<const double> weights,
+                                        int jobs) const;
 
  private:
   int dimension_, order_;
