@@ -250,6 +250,22 @@ TEST(deformers, by_constraints_keep_a_rigid_motion_of_an_ordinary_drawing) {
   }
 }
 
+// One position leaves the turns about it free; a triangle has three vertices, and is asked for two. The biharmonic
+// layers of the frame have coefficients that change nothing inside: its hole's alone.
+TEST(deformers, by_constraints_keep_their_promises_on_a_triangle_and_on_a_polygon_with_a_hole) {
+  const Cage triangle = Cage::make_polygon("triangle", {{0, 0, 0}, {1, 0, 0}, {.3, .8, 0}},
+                                           {{{0, 1, -1, -1}}, {{1, 2, -1, -1}}, {{2, 0, -1, -1}}}, {});
+  for (const Cage& cage : {triangle, embedded_cage("frame")}) {
+    std::size_t asked = 0;
+    for (const ResultRow& row : run_deformer_campaign(cage, {.methods = "thickness,variational"})) {
+      EXPECT_EQ(row.verdict, Verdict::Kept)
+          << cage.name() << row.subject << row.evaluation << row.check << row.place << ' ' << row.max;
+      asked += row.check == "keeps_offset" ? 1 : 0;
+    }
+    EXPECT_EQ(asked, 6U) << cage.name();
+  }
+}
+
 // Coordinates of 1e5 sizes are rounded by 1e-11 of them, and images with them.
 TEST(deformers, are_judged_by_the_roundings_of_a_cage_far_from_the_origin) {
   EXPECT_EQ(Excuses{}.factor(), 1);

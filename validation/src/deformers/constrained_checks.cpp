@@ -149,27 +149,34 @@ ConstrainedChecks::Ask ConstrainedChecks::moved(std::string_view pose, const Spa
 }
 
 ConstrainedChecks::Ask ConstrainedChecks::kept_far_off(const SpaceMap& offset) const {
-  // Roundings of places far off, and of their targets, which a turn about the origin takes further off where the cage
-  // is far away.
-  const std::vector<Vec3<double>> vertices = posed_by(offset, *cage_);
-  double largest = largest_coordinate(vertices);
+  SpaceMap back = offset;
+  back.shift = -offset.shift;
+  const auto solved = [this](const ConstrainedProblem& asked) {
+    SolvedProblem found{asked.prepared(variant_, rule_, many_steps, any_decrease), {}};
+    found.posed = found.model->pose();
+    return found;
+  };
+  const auto both = std::make_shared<const Lazy<std::array<SolvedProblem, 2>>>([this, solved, offset, back] {
+    // Far off, places and targets are rounded. Both problems have these roundings, because the way back is exact.
+    const ConstrainedProblem there = problem(rigid_pose).under(offset, 1);
+    return std::array{solved(there), solved(there.under(back, 1))};
+  });
+  // A turn about the origin takes targets further off where the cage is far away.
+  double largest = largest_coordinate(posed_by(offset, *cage_));
   for (const Vec3<double>& v : posed_by(turn(cage_->dimension()), *cage_))
     largest = std::max(largest, offset(v, cage_->size()).cwiseAbs().maxCoeff());
   const double rounding = unit_roundoff<double>() * largest;
-  const auto solved = std::make_shared<const Lazy<SolvedProblem>>([this, offset] {
-    const ConstrainedProblem there = problem(rigid_pose).under(offset, 1);
-    SolvedProblem found{there.prepared(variant_, rule_, many_steps, any_decrease), {}};
-    found.posed = found.model->pose();
-    return found;
-  });
-  return [this, offset, rounding, solved](const Vec3<double>& point) {
+  return [this, offset, back, rounding, both](const Vec3<double>& point) {
     const double size = cage_->size();
-    const SolvedProblem& found = solved->get();
-    const Vec3<double> at = offset(point, size), expected = offset(turn(cage_->dimension())(point, size), size);
-    const Images<double> images = found.model->images(*found.posed, std::span(&at, 1), 0);
-    Vec3<double> difference = Vec3<double>::Zero();
-    for (int c = 0; c < cage_->dimension(); ++c) difference[c] = images.tensors[0][c] - expected[c];
-    return excused(difference.norm() / rounding, {found.condition()});
+    const auto& [there, here] = both->get();
+    const Vec3<double> far = offset(point, size), near = back(far, size);
+    const Images<double> a = there.model->images(*there.posed, std::span(&far, 1), 0),
+                         b = here.model->images(*here.posed, std::span(&near, 1), 0);
+    Vec3<double> found = Vec3<double>::Zero(), difference = Vec3<double>::Zero();
+    for (int c = 0; c < cage_->dimension(); ++c) found[c] = a.tensors[0][c];
+    found = back(found, size);
+    for (int c = 0; c < cage_->dimension(); ++c) difference[c] = found[c] - b.tensors[0][c];
+    return excused(difference.norm() / rounding, {there.condition()});
   };
 }
 
