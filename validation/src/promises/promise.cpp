@@ -29,7 +29,8 @@ constexpr double exact_map = 1e-13;
 constexpr std::string_view deformer_reason =
     "exact except for roundings: 1e-16 of the size, times a thousand or times the condition of the systems "
     "solved, which excuses errors down to the seventh digit and no further; for a cage or a pose far from the "
-    "origin also four roundings of its coordinates, down to the fifth digit";
+    "origin also four roundings of its coordinates, down to the fifth digit; of images beyond a size off, in "
+    "their own size, as they are rounded";
 constexpr std::string_view least_energy =
     "steps end where rounding hides the energy's slope; the minimum is then as far off as the root of a rounding";
 constexpr std::string_view unit_normals =
