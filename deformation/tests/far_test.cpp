@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cages far from the origin, beside which they are small.
 #include "settings.h"
+#include "variational_cases.h"
 
 #include "cageproof/deformation/constrained.h"
 #include "../src/own_place.h"
@@ -82,6 +83,27 @@ TEST(far, constraints_are_met_to_rounding) {
 }
 
 // Points next to the origin stay where they are.
+// The bar's own coefficients, of which two Hessians leave many free, are the least wherever the bar is. Seen from the
+// origin they were as large as the offset, and images had its roundings times a thousand.
+TEST(far, freedom_that_constraints_leave_is_filled_next_to_the_cage) {
+  const Case c = bar();
+  const auto image_at = [&](const Vec& by) {
+    Constraints constraints = bar_constraints(c.cage);
+    constraints.hessians.resize(2);
+    for (auto& [at, to] : constraints.positions) at += by, to += by;
+    for (auto* places : {&constraints.rotations, &constraints.hessians})
+      for (Vec& at : *places) at += by;
+    const Variational<double> model(c.cage.with(moved(c.cage.vertices(), by), c.cage.faces()), constraints,
+                                    bar_options(Subspace::Biharmonic, 5));
+    const auto posed = model.pose();
+    EXPECT_TRUE(warns_of(posed->report(), "unknowns free"));
+    return Vec(image(model.images(*posed, std::vector<Vec>{c.points[0] + by}, 0), 0) - by);
+  };
+  const Vec expected = image_at(Vec::Zero());
+  // Places are rounded by 1e-10 there.
+  EXPECT_LT((image_at({0x1p20, -0x1p19, 0x1p18}) - expected).norm(), 1e-8);
+}
+
 TEST(own_place, is_next_to_points_and_steps_from_it_are_exact) {
   EXPECT_EQ(own_place({}), Vec::Zero());
   EXPECT_EQ(own_place(cube().cage.vertices()), Vec::Zero());

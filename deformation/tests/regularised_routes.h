@@ -47,9 +47,12 @@ inline std::vector<SampleRows> sample_rows(const CageCoordinates& layers) {
     if (d == 3) normal = u.cross(Vec3<Mp50>(corners[2] - corners[0]));
     normal /= Mp50(sqrt(Mp50(normal.dot(normal))));
     for (auto basis : d == 3 ? of_triangles : of_segments) {
-      // Samples are points whose basis functions but the first are doubles.
-      basis[0] = 1;
-      for (int k = 1; k < d; ++k) basis[0] -= basis[k] = Mp50(static_cast<double>(basis[k]));
+      // Samples are points whose basis functions are multiples of 2^-52, and that of the lowest vertex is what the
+      // others leave of one.
+      const auto lowest = std::ranges::min_element(vertices) - vertices.begin();
+      basis[lowest] = 1;
+      for (int k = 0; k < d; ++k)
+        if (k != lowest) basis[lowest] -= basis[k] = Mp50(std::round(0x1p52 * static_cast<double>(basis[k])) * 0x1p-52);
       SampleRows rows{
           static_cast<int>(e), Mp::Zero(1, static_cast<int>(elements.vertices().size())), {}, {}, {}, {}, {}};
       Vec3<Mp50> point = Mp50("-1e-30") * normal;

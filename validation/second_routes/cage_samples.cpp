@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cage_samples.h"
 
+#include <cmath>
+
 namespace cageproof::second_routes {
 namespace {
 
@@ -25,7 +27,11 @@ std::vector<Part> parts_of(const Part& whole) {
 std::vector<Touching> centroids(const CageElements& elements, int level) {
   std::vector<Touching> found;
   for (std::size_t e = 0; e < elements.count(); ++e) {
-    const std::size_t corners = elements.vertices_of(e).size();
+    const auto vertices = elements.vertices_of(e);
+    const std::size_t corners = vertices.size();
+    std::size_t last = 0;
+    for (std::size_t k = 1; k < corners; ++k)
+      if (vertices[k] < vertices[last]) last = k;
     std::vector<Part> parts{{{1, 0, 0}, {0, 1, 0}}};
     if (corners == 3) parts.front().push_back({0, 0, 1});
     for (int k = 0; k < level; ++k) {
@@ -35,13 +41,17 @@ std::vector<Touching> centroids(const CageElements& elements, int level) {
       parts = std::move(smaller);
     }
     for (const Part& part : parts) {
-      // Sums of halves of halves are exact, so that each number is rounded once.
-      Touching& sample = found.emplace_back(Touching{static_cast<int>(e), {1, 0, 0, 0}});
-      for (std::size_t k = 1; k < corners; ++k) {
-        for (const Barycentric& corner : part) sample.basis[k] += corner[k];
-        sample.basis[k] /= static_cast<double>(corners);
-        sample.basis[0] -= sample.basis[k];
+      // Sums of halves of halves are exact. Multiples of 2^-52 leave one of one.
+      Touching& sample = found.emplace_back(Touching{static_cast<int>(e), {}});
+      double left = 1;
+      for (std::size_t k = 0; k < corners; ++k) {
+        if (k == last) continue;
+        double sum = 0;
+        for (const Barycentric& corner : part) sum += corner[k];
+        sample.basis[k] = std::ldexp(std::round(std::ldexp(sum / static_cast<double>(corners), 52)), -52);
+        left -= sample.basis[k];
       }
+      sample.basis[last] = left;
     }
   }
   return found;

@@ -14,8 +14,8 @@ namespace cageproof::second_routes {
 /// The layers' systems use four times the digits of their input, so that squared conditions cost none of these.
 using Wide = Mp200;
 
-/// Elements split so often at their midpoints, and the parts' centroids, in basis functions: all but the first are
-/// rounded to double, and they sum to one. \pre triangles or segments
+/// Elements split so often at their midpoints, and the parts' centroids, in basis functions: all but that of the vertex
+/// with the lowest number are rounded to multiples of 2^-52, and they sum to one. \pre triangles or segments
 std::vector<Touching> centroids(const CageElements& elements, int level);
 
 /// The basis functions of a sample's corners, which sum to one exactly.

@@ -353,5 +353,23 @@ TEST(coordinates, mean_value_derivatives_agree_with_differences) {
   }
 }
 
+// The midpoints of these edges are not doubles, and where a face is a thousand times as wide as the cage is thick,
+// layers of rounded ones differ by 790 roundings: layers of another cage.
+TEST(cage, subdivided_at_midpoints_that_are_doubles) {
+  const std::vector<Vec3<double>> vertices{{1.3, .7, -.2},  {-.7, .7, -.2}, {.3, .701, -.2},
+                                           {.3, .699, -.2}, {.3, .7, .8},   {.3, .7, -1.2}};
+  std::vector<Face> faces;
+  for (const auto& [a, b, c] :
+       {std::array{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}})
+    faces.push_back({{a, b, c, -1}});
+  const Cage cage = Cage::make("flat octahedron", vertices, faces);
+  const Vec3<double> point(0x1.c56bdb38bc0bfp-1, 0x1.668453920bdcfp-1, -0x1.886e85ac6c5a4p-2);
+  for (const char* kind : {"mean_value", "green", "biharmonic"}) {
+    const CageSymmetries symmetries(cage, coordinate_kind_named(kind), "hybrid", Triangulation::Shortest);
+    const CageError error = symmetries.errors_at(point).at("cage_subdivision");
+    EXPECT_LE(error.roundings, 64) << kind;
+  }
+}
+
 }  // namespace
 }  // namespace cageproof::validation::cage_campaign_test

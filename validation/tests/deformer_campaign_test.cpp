@@ -4,6 +4,7 @@
 #include "cageproof/core/input_error.h"
 #include "deformers/constrained_checks.h"
 #include "deformers/deformer_campaign.h"
+#include "deformers/rounded_pose.h"
 #include "cageproof/validation/replay.h"
 #include "promises/verdicts.h"
 
@@ -250,6 +251,22 @@ TEST(deformers, by_constraints_keep_a_rigid_motion_of_an_ordinary_drawing) {
   }
 }
 
+// One position leaves the turns about it free; a triangle has three vertices, and is asked for two. The biharmonic
+// layers of the frame have coefficients that change nothing inside: its hole's alone.
+TEST(deformers, by_constraints_keep_their_promises_on_a_triangle_and_on_a_polygon_with_a_hole) {
+  const Cage triangle = Cage::make_polygon("triangle", {{0, 0, 0}, {1, 0, 0}, {.3, .8, 0}},
+                                           {{{0, 1, -1, -1}}, {{1, 2, -1, -1}}, {{2, 0, -1, -1}}}, {});
+  for (const Cage& cage : {triangle, embedded_cage("frame")}) {
+    std::size_t asked = 0;
+    for (const ResultRow& row : run_deformer_campaign(cage, {.methods = "thickness,variational"})) {
+      EXPECT_EQ(row.verdict, Verdict::Kept)
+          << cage.name() << row.subject << row.evaluation << row.check << row.place << ' ' << row.max;
+      asked += row.check == "keeps_offset" ? 1 : 0;
+    }
+    EXPECT_EQ(asked, 6U) << cage.name();
+  }
+}
+
 // Coordinates of 1e5 sizes are rounded by 1e-11 of them, and images with them.
 TEST(deformers, are_judged_by_the_roundings_of_a_cage_far_from_the_origin) {
   EXPECT_EQ(Excuses{}.factor(), 1);
@@ -396,6 +413,49 @@ TEST(deformers, are_excused_by_conditions_to_seven_digits_and_by_four_roundings_
   }
   EXPECT_TRUE(is_kept(0.9e-5, {1, 1e12 * u}));
   EXPECT_FALSE(is_kept(1.1e-5, {1, 1e12 * u}));
+}
+
+Cage polygon_with_a_short_edge() {
+  return Cage::make_polygon("pentagon", {{0, 0, 0}, {1, 0, 0}, {1.3, .8, 0}, {1.3, .800001, 0}, {.6, 1.2, 0}},
+                            {{{0, 1, -1, -1}}, {{1, 2, -1, -1}}, {{2, 3, -1, -1}}, {{3, 4, -1, -1}}, {{4, 0, -1, -1}}},
+                            {});
+}
+
+// The roundings of posed vertices turn an edge that is a millionth of the others by 1e-10, which moves images by 1e-7
+// of the size. Bent, the edge is 1e4 times as long, and images lie 1e7 sizes off.
+TEST(deformers, keep_their_promises_on_a_polygon_with_a_short_edge) {
+  double largest = 0;
+  for (const ResultRow& row : run_deformer_campaign(polygon_with_a_short_edge(), {.methods = "aaap"})) {
+    EXPECT_NE(row.verdict, Verdict::Broken) << row.evaluation << ' ' << row.check << ' ' << row.place << ' ' << row.max;
+    if (row.check == "keeps_rigid") largest = std::max(largest, row.max_relative);
+  }
+  EXPECT_GT(largest, 1e-9) << "the pose costs nothing here";
+}
+
+// Unit normals do not grow with the cage. That is no rounding of the pose, whose vertices are doubles here.
+TEST(deformers, are_not_excused_by_roundings_of_poses_where_they_miss_a_map) {
+  const Cage cage = polygon_with_a_short_edge();
+  const auto& method = deformation::deform_method_named("green");
+  const auto deformer = [&] {
+    return deformation::prepare_deformer<Mp50>(method, cage,
+                                               {.parameters = variant_named(method, "stretch=unit").parameters});
+  };
+  deformation::Pose<Mp50> doubled{in<Mp50>(cage.vertices())}, nudged = doubled;
+  for (auto& v : doubled.vertices) v *= 2;
+  EXPECT_EQ(RoundedPose(deformer, doubled, doubled).moves({.7, .6, 0}).norm(), 0);
+  nudged = doubled;
+  nudged.vertices[2][1] += 0x1p-53;
+  const double moved = RoundedPose(deformer, nudged, doubled).moves({.7, .6, 0}).norm();
+  EXPECT_GT(moved, 1e-18);
+  EXPECT_LT(moved, 1e-14);
+}
+
+TEST(deformers, are_judged_by_the_size_of_what_they_give) {
+  const std::vector<Mp50> image{Mp50(1003), Mp50(4)};
+  EXPECT_EQ(own_size(image, 0, 10., {3, 4, 0}), 100);
+  EXPECT_EQ(own_size(image, 0, 1e6, {3, 4, 0}), 1) << "cage sizes are the least unit";
+  EXPECT_EQ(own_size(std::vector<double>{0, 30, 40, 0}, 1, 10., {3, 4, 0}), 50);
+  EXPECT_EQ(own_size(std::vector<double>{0, 3, 4, 0}, 2, 10., {3, 4, 0}), 50);
 }
 
 TEST(deformers, by_maps_that_are_rounded_once) {

@@ -117,6 +117,18 @@ TEST(second_routes, agree_with_the_first) {
   expect("spherical_mean_value", "icosphere", 0);  // 80 faces are too many
 }
 
+// Harmonic coordinates of a triangle are affine: layers represent them, and outside nothing is left but the route's own
+// roundings.
+TEST(second_routes, are_not_held_to_digits_of_nothing) {
+  const Cage triangle = Cage::make_polygon("triangle", {{0, 0, 0}, {1, 0, 0}, {.3, .8, 0}},
+                                           {{{0, 1, -1, -1}}, {{1, 2, -1, -1}}, {{2, 0, -1, -1}}}, {});
+  const CoordinateKind& kind = coordinate_kind_named("harmonic");
+  const CageCoordinates coordinates(triangle, kind, CoordinateOptions{});
+  const auto route = second_routes::cage_route(kind, triangle);
+  EXPECT_LT(second_route_error_at(coordinates, *route, {.86871, -.09582, 0}), 1e-30);
+  EXPECT_LT(second_route_error_at(coordinates, *route, {.4, .3, 0}), 1e-30);
+}
+
 TEST(second_routes, are_of_recommended_evaluations) {
   CageCampaignOptions options;
   options.kinds = "biharmonic_boundary";

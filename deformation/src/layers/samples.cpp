@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cageproof::deformation {
@@ -22,7 +23,15 @@ constexpr double most_numbers = 1.3e8;
 // A part's corners, in the whole element's basis functions.
 using Corners = std::array<Basis, 4>;
 
-void add_centroids(const ElementType& type, const Corners& part, int level, int element,
+// A sum of halves of halves over the number of corners, rounded so that what such numbers leave of one is a double.
+double share_of_centroid(double sum, int corners) {
+  constexpr double unit = 0x1p-52;
+  return std::round(sum / corners / unit) * unit;
+}
+
+// \param rest the corner whose basis function is what the others leave of one: the same vertex whichever corner an
+// element is said to begin with, so that samples are the same
+void add_centroids(const ElementType& type, const Corners& part, int level, int element, int rest,
                    std::vector<Touching>& samples) {
   if (level > 0) {
     for (const ElementPart& smaller : type.parts) {
@@ -30,18 +39,19 @@ void add_centroids(const ElementType& type, const Corners& part, int level, int 
       for (int k = 0; k < type.corners; ++k)
         for (int j = 0; j < type.corners; ++j)
           for (int i = 0; i < type.corners; ++i) within[k][i] += smaller[k][j] * part[j][i];
-      add_centroids(type, within, level - 1, element, samples);
+      add_centroids(type, within, level - 1, element, rest, samples);
     }
     return;
   }
   Touching sample{element, {}};
-  double rest = 1;
-  for (int i = 1; i < type.corners; ++i) {
-    for (int k = 0; k < type.corners; ++k) sample.basis[i] += part[k][i];
-    sample.basis[i] /= type.corners;
-    rest -= sample.basis[i];
+  sample.basis[rest] = 1;
+  for (int i = 0; i < type.corners; ++i) {
+    if (i == rest) continue;
+    double sum = 0;
+    for (int k = 0; k < type.corners; ++k) sum += part[k][i];
+    sample.basis[i] = share_of_centroid(sum, type.corners);
+    sample.basis[rest] -= sample.basis[i];
   }
-  sample.basis[0] = rest;
   samples.push_back(sample);
 }
 
@@ -105,7 +115,9 @@ std::vector<Touching> samples_of(const CageElements& elements, int level) {
     const ElementType& type = elements.type(e);
     Corners whole{};
     for (int k = 0; k < type.corners; ++k) whole[k][k] = 1;
-    add_centroids(type, whole, level, static_cast<int>(e), samples);
+    const auto vertices = elements.vertices_of(e);
+    const auto rest = static_cast<int>(std::ranges::min_element(vertices) - vertices.begin());
+    add_centroids(type, whole, level, static_cast<int>(e), rest, samples);
   }
   return samples;
 }

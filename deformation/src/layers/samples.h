@@ -8,7 +8,7 @@ namespace cageproof::deformation {
 
 /// Points of the cage. Each element is split `level` times by its midpoints, and the parts' centroids are taken; on a
 /// quad, the points amid the parts of u and v. They are 4^level points per triangle or quad, strictly within it, in its
-/// basis functions, which sum to one.
+/// basis functions, which sum to one: multiples of 2^-52, the same whichever corner an element begins with.
 std::vector<Touching> samples_of(const CageElements& elements, int level);
 
 /// Values of basis functions and layers at samples, one row per sample; limits from inside. Lengths are in a unit of

@@ -44,8 +44,7 @@ struct Variational<R>::Prepared {
         factors(rows.matrix) {
     const CageElements& elements = coordinates.elements();
     const std::vector<Vec3<R>> vertices = vertices_in<R>(elements);
-    // Freedom that the constraints leave is filled with the least coefficients, seen from the origin.
-    if (free_unknowns() == 0) place = own_place(elements.vertices());
+    place = own_place(elements.vertices());
     rest = Matrix<R>::Zero(rows.units.size(), dimension());
     rest.topRows(static_cast<Eigen::Index>(vertices.size())) =
         rows_of(vertices, dimension()).rowwise() - convert<R>(place).head(dimension()).transpose();
@@ -174,7 +173,7 @@ struct Variational<R>::Prepared {
   CageCoordinates coordinates;
   ConstraintRows<R> rows;
   LeastSquares<R> factors;                    ///< of the rows' matrix
-  Vec3<double> place = Vec3<double>::Zero();  ///< what all is solved from, next to the cage
+  Vec3<double> place = Vec3<double>::Zero();  ///< what all is solved from, next to the cage; least coefficients, too
   Matrix<R> rest;                             ///< the identity's coefficients from there, in units
 };
 

@@ -35,8 +35,8 @@ struct VariationalOptions {
 /// similarity) nearest to Jf, then the coefficients solve a linear least-squares problem. Its matrix depends only on
 /// places and weights and is factored once. The first map is the identity. The energy rises only by rounding, at
 /// any half step; its minimum need not be the global one. Where constraints do not determine the coefficients, those of
-/// least norm are taken, in the cage's own unit of length, and the report has a warning. R: double or Mp50. Safe from
-/// any thread.
+/// least norm are taken, in the cage's own unit of length and next to it, and the report has a warning. R: double or
+/// Mp50. Safe from any thread.
 template <Scalar R>
 class Variational final : public ConstrainedDeformer<R> {
  public:

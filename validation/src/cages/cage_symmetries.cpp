@@ -37,6 +37,30 @@ std::pair<int, int> rank_of_corner(const std::array<double, 4>& basis, int corne
   return {corners - static_cast<int>(std::ranges::count(std::span(basis).first(corners), 0.0)), along};
 }
 
+// The vertices, rounded so that points amid up to four of them are doubles: to a quarter of the digits that the largest
+// coordinate along an axis has. Rounded corners of parts would be those of another cage, from which flat ones differ.
+// The vertices themselves where that changes an edge by more than a billionth.
+std::vector<Vec3<double>> with_exact_midpoints(const CageElements& elements) {
+  const std::vector<Vec3<double>>& vertices = elements.vertices();
+  std::vector<Vec3<double>> found = vertices;
+  for (int c = 0; c < 3; ++c) {
+    double largest = 0;
+    for (const Vec3<double>& v : vertices) largest = std::max(largest, std::abs(v[c]));
+    const double unit = std::ldexp(1., std::ilogb(largest) - 50);
+    for (Vec3<double>& v : found)
+      if (std::isnormal(unit)) v[c] = std::round(v[c] / unit) * unit;
+  }
+  for (std::size_t e = 0; e < elements.count(); ++e) {
+    const auto corners = elements.vertices_of(e);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const int from = corners[k], to = corners[(k + 1) % corners.size()];
+      const Vec3<double> edge = vertices[to] - vertices[from];
+      if (!((found[to] - found[from] - edge).stableNorm() <= 1e-9 * edge.stableNorm())) return vertices;
+    }
+  }
+  return found;
+}
+
 // The entry for that owner.
 auto& of(Owner owner, auto& of_owners) { return of_owners[static_cast<std::size_t>(owner)]; }
 
@@ -71,8 +95,7 @@ void CageSymmetries::add_normals_of_part(const CageElements& elements, std::size
   }
 }
 
-CageSymmetries::Subdivision CageSymmetries::subdivision() const {
-  const CageElements& elements = base_.elements();
+CageSymmetries::Subdivision CageSymmetries::subdivision(const CageElements& elements) {
   Subdivision finer{elements.vertices(), {}, {}};
   auto& of_vertices = of(Owner::Vertex, finer.shares);
   for (int i = 0; i < static_cast<int>(finer.vertices.size()); ++i) of_vertices.push_back({{i, 1.0}});
@@ -160,9 +183,14 @@ CageSymmetries::CageSymmetries(const Cage& cage, const std::string& evaluation, 
   }
   // Kinds that are not sums over elements may change when elements are subdivided, so the check skips them.
   if (!kind.is_sum()) return;
-  Subdivision finer = subdivision();
+  const std::vector<Vec3<double>> rounded = with_exact_midpoints(elements);
+  std::optional<CageCoordinates> of;
+  if (rounded != elements.vertices())
+    of.emplace(cage.with(rounded, elements.all()), kind, evaluation, Triangulation::Fan);
+  Subdivision finer = subdivision(of ? of->elements() : elements);
   variants_.push_back(variant("cage_subdivision", cage.with(finer.vertices, finer.elements), kind, evaluation));
   variants_.back().shares = std::move(finer.shares);
+  variants_.back().of = std::move(of);
 }
 
 std::vector<std::string> CageSymmetries::checks_of(const CageCoordinates& coordinates) {
@@ -215,11 +243,12 @@ CageSymmetries::Added CageSymmetries::added(const Variant& v, std::size_t b, con
 
 std::map<std::string, CageError> CageSymmetries::errors_at(const Vec3<double>& point) const {
   std::map<std::string, CageError> errors;
-  const auto expected = base_.at<double>(point, 0);
+  const auto of_base = base_.at<double>(point, 0);
   const TermSizes terms = terms_.at(point, 0);
   for (const Variant& v : variants_) {
     const Vec3<double> changed = v.turned ? Turn(base_.dimension())(point) : Vec3<double>(v.unit * point);
     const auto found = v.coordinates.at<double>(changed, 0);
+    const auto expected = v.of ? v.of->at<double>(point, 0) : of_base;
     CageError& worst = errors[v.check];
     if (!base_.kind().missing_because.empty() && std::isnan(expected[0].value[0]) && std::isnan(found[0].value[0])) {
       worst = {};

@@ -6,6 +6,7 @@
 #include "cageproof/validation/cage_terms.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,8 @@ class CageSymmetries {
     Shares shares;
     double unit = 1;
     bool turned = false;
+    /// What it is a variant of, where that is not the base.
+    std::optional<CageCoordinates> of = {};
   };
   /// The base's elements, in four or two parts each.
   struct Subdivision {
@@ -53,7 +56,7 @@ class CageSymmetries {
     Shares shares;
   };
   Variant variant(std::string check, const Cage& cage, const CoordinateKind& kind, const std::string& evaluation) const;
-  Subdivision subdivision() const;
+  static Subdivision subdivision(const CageElements& elements);
   static void add_normals_of_part(const CageElements& elements, std::size_t element, const ElementPart& part,
                                   std::vector<std::vector<Share>>& all);
   std::vector<double> folded(const Variant& v, std::size_t block, const Result<double>& found,

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cageproof::validation {
 namespace {
@@ -32,6 +33,24 @@ constexpr int few_steps = 40, many_steps = 4000;
 // With many steps, iteration goes on as long as the energy falls at all.
 constexpr double any_decrease = std::numeric_limits<double>::min();
 constexpr double larger = 10;
+
+// Where a cage far off lies, in numbers so round that steps from there to its points are doubles: nowhere where an axis
+// has it next to the origin.
+Vec3<double> round_place(const Vec3<double>& vertex, double size) {
+  const double unit = std::exp2(std::ilogb(size) + 1);
+  Vec3<double> place = Vec3<double>::Zero();
+  for (int c = 0; c < 3; ++c)
+    if (std::abs(vertex[c]) > 8 * unit) place[c] = std::trunc(vertex[c] / unit) * unit;
+  return place;
+}
+
+// A problem seen from a place.
+ConstrainedProblem seen_from(const Vec3<double>& place, ConstrainedProblem problem) {
+  const double size = std::exchange(problem.size, 1);
+  ConstrainedProblem found = problem.under({.shift = -place}, 1);
+  found.size = size;
+  return found;
+}
 
 }  // namespace
 
@@ -149,27 +168,31 @@ ConstrainedChecks::Ask ConstrainedChecks::moved(std::string_view pose, const Spa
 }
 
 ConstrainedChecks::Ask ConstrainedChecks::kept_far_off(const SpaceMap& offset) const {
-  // Roundings of places far off, and of their targets, which a turn about the origin takes further off where the cage
-  // is far away.
   const std::vector<Vec3<double>> vertices = posed_by(offset, *cage_);
+  const Vec3<double> place = round_place(vertices.front(), cage_->size());
+  const auto solved = [this](const ConstrainedProblem& asked) {
+    SolvedProblem found{asked.prepared(variant_, rule_, many_steps, any_decrease), {}};
+    found.posed = found.model->pose();
+    return found;
+  };
+  const auto both = std::make_shared<const Lazy<std::array<SolvedProblem, 2>>>([this, solved, offset, place] {
+    // Far off, places and targets are rounded. Both problems have these roundings, because the way back is exact.
+    const ConstrainedProblem there = problem(rigid_pose).under(offset, 1);
+    return std::array{solved(there), solved(seen_from(place, there))};
+  });
+  // A turn about the origin takes targets further off where the cage is far away.
   double largest = largest_coordinate(vertices);
   for (const Vec3<double>& v : posed_by(turn(cage_->dimension()), *cage_))
     largest = std::max(largest, offset(v, cage_->size()).cwiseAbs().maxCoeff());
   const double rounding = unit_roundoff<double>() * largest;
-  const auto solved = std::make_shared<const Lazy<SolvedProblem>>([this, offset] {
-    const ConstrainedProblem there = problem(rigid_pose).under(offset, 1);
-    SolvedProblem found{there.prepared(variant_, rule_, many_steps, any_decrease), {}};
-    found.posed = found.model->pose();
-    return found;
-  });
-  return [this, offset, rounding, solved](const Vec3<double>& point) {
-    const double size = cage_->size();
-    const SolvedProblem& found = solved->get();
-    const Vec3<double> at = offset(point, size), expected = offset(turn(cage_->dimension())(point, size), size);
-    const Images<double> images = found.model->images(*found.posed, std::span(&at, 1), 0);
+  return [this, offset, place, rounding, both](const Vec3<double>& point) {
+    const auto& [there, here] = both->get();
+    const Vec3<double> far = offset(point, cage_->size()), near = far - place;
+    const Images<double> a = there.model->images(*there.posed, std::span(&far, 1), 0),
+                         b = here.model->images(*here.posed, std::span(&near, 1), 0);
     Vec3<double> difference = Vec3<double>::Zero();
-    for (int c = 0; c < cage_->dimension(); ++c) difference[c] = images.tensors[0][c] - expected[c];
-    return excused(difference.norm() / rounding, {found.condition()});
+    for (int c = 0; c < cage_->dimension(); ++c) difference[c] = (a.tensors[0][c] - place[c]) - b.tensors[0][c];
+    return excused(difference.norm() / rounding, {there.condition()});
   };
 }
 

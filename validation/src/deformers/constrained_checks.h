@@ -47,7 +47,8 @@ class ConstrainedChecks {
   /// constrained_unit: images with those of the cage that is ten times as large, weights adapted; not of biharmonic
   /// maps of the plane, which are others in other units.
   /// constrained_motion: images with those of the cage and its constraints turned.
-  /// keeps_offset: images of a cage far from the origin, whose targets are moved rigidly, with those of the motion.
+  /// keeps_offset: images of a cage far from the origin, whose targets are moved rigidly, with those of the same cage,
+  /// places and targets moved back, which rounds nothing.
   /// A question's place is its pose; its systems are solved when it is first asked, and an energy is asked for at only
   /// one point. Valid while this lives.
   std::vector<Question<PointAt>> questions() const;

@@ -29,7 +29,8 @@ bool is_weight(std::string_view parameter) {
 // Positions, and of methods that take more an orientation, rotations and as many Hessians as hold all coefficients.
 std::size_t positions_of(const ConstraintMethod& method, const Cage& cage) {
   if (!method.positions_alone) return most_positions;
-  return std::clamp<std::size_t>(cage.vertices().size() / 2, 1, 3);
+  // One position leaves every turn about it free.
+  return std::clamp<std::size_t>(cage.vertices().size() / 2, 2, 3);
 }
 std::size_t number_of_places(const ConstraintMethod& method, const Cage& cage, Triangulation rule) {
   const std::size_t positions = positions_of(method, cage);

@@ -2,6 +2,7 @@
 #include "deformer_checks.h"
 
 #include "deformers/deformer_route.h"
+#include "deformers/rounded_pose.h"
 #include "sampling/generic_direction.h"
 
 #include "cageproof/core/catalogue/unknown_name.h"
@@ -25,6 +26,9 @@ constexpr double harmless_condition = 1e3;
 
 // No condition excuses more: a deformer states its own.
 constexpr double most_excused = 1e8;
+
+// Images of maps that are kept.
+constexpr double promised = 1e-13;
 
 // Four roundings of a coordinate of this size, as keeps_offset allows them, are the 1e-13 sizes that images are made
 // to.
@@ -112,6 +116,7 @@ DeformerChecks::DeformerChecks(std::shared_ptr<const Cage> cage, DeformerVariant
       in_50_digits_([this] { return prepared<Mp50>(""); }),
       bent_(cage_, [this] { return deformer_; }),
       bent_in_50_digits_(cage_, [this] { return in_50_digits_.get(); }),
+      seen_from_(bent(*cage_).front()),
       prior_() {
   if (!deformer_) deformer_ = prepared<double>("");
   prior_ = prior_of(*cage_, deformer_->coordinates().kind(), rule);
@@ -128,11 +133,15 @@ bool DeformerChecks::has_few_elements() const {
   return elements.count() <= few_elements && elements.count(Owner::Normal) <= 2 * few_elements;
 }
 
-bool DeformerChecks::is_prompt_in_50_digits() const {
+bool DeformerChecks::has_50_digits() const {
   const CageCoordinates& coordinates = deformer_->coordinates();
+  return coordinates.is_exact_in(ScalarKind::Digits50) && coordinates.is_prompt_in(ScalarKind::Digits50);
+}
+
+bool DeformerChecks::is_prompt_in_50_digits() const {
   // On quads a point takes a tenth of a second, and variants share the coordinates and all that is made of them.
-  if (coordinates.kind().keeps_quads && !variant_.is_default) return false;
-  if (!coordinates.is_exact_in(ScalarKind::Digits50) || !coordinates.is_prompt_in(ScalarKind::Digits50)) return false;
+  if (deformer_->coordinates().kind().keeps_quads && !variant_.is_default) return false;
+  if (!has_50_digits()) return false;
   return deformer_->prepared().systems.empty() || (variant_.is_default && has_few_elements());
 }
 
@@ -213,25 +222,34 @@ std::vector<Question<PointAt>> DeformerChecks::questions() const {
 }
 
 DeformerChecks::Ask DeformerChecks::kept(const SpaceMap& map, bool with_normals) const {
-  const auto vertices = std::make_shared<const std::vector<Vec3<double>>>(posed_by(map, *cage_));
-  const auto posed = lazily([this, map, vertices, with_normals] {
-    deformation::Pose<double> pose{*vertices};
-    const CageElements& elements = deformer_->coordinates().elements();
-    const Owner owner = deformation::normals_owner(deformer_->coordinates());
-    if (with_normals)
-      for (std::size_t i = 0; i < elements.count(owner); ++i)
-        pose.normal_derivatives.push_back(map.linear * elements.normal_of(i, owner));
-    return deformer_->pose(pose);
-  });
-  return [this, map, vertices, posed](const Vec3<double>& point) {
-    const double size = cage_->size();
+  const double size = cage_->size();
+  deformation::Pose<double> pose{posed_by(map, *cage_)};
+  deformation::Pose<Mp50> exact;
+  for (const Vec3<double>& v : cage_->vertices()) exact.vertices.push_back(map.exactly<Mp50>(v, size));
+  const CageElements& elements = deformer_->coordinates().elements();
+  const Owner owner = deformation::normals_owner(deformer_->coordinates());
+  SpaceMap of_normals{.linear = map.linear};
+  for (std::size_t i = 0; with_normals && i < elements.count(owner); ++i) {
+    pose.normal_derivatives.push_back(map.linear * elements.normal_of(i, owner));
+    exact.normal_derivatives.push_back(of_normals.exactly<Mp50>(elements.normal_of(i, owner), size));
+  }
+  const auto rounded = std::make_shared<const RoundedPose>(
+      [this] { return in_50_digits_.get(); },
+      deformation::Pose<Mp50>{in<Mp50>(pose.vertices), in<Mp50>(pose.normal_derivatives)}, std::move(exact));
+  const auto vertices = std::make_shared<const std::vector<Vec3<double>>>(pose.vertices);
+  const auto posed = lazily([this, pose = std::move(pose)] { return deformer_->pose(pose); });
+  return [this, map, size, vertices, posed, rounded](const Vec3<double>& point) {
     const int d = cage_->dimension();
     const Vec3<double> image = image_at(*deformer_, *posed->get(), point, d);
     const Vec3<long double> expected = map.exactly(point, size);
     Vec3<double> difference = Vec3<double>::Zero();
     for (int c = 0; c < d; ++c) difference[c] = static_cast<double>(image[c] - expected[c]);
-    return Errors{
-        excused(difference.norm() / size, with_condition(condition_of(*deformer_, *posed->get()), *vertices))};
+    const Excuses excuses = with_condition(condition_of(*deformer_, *posed->get()), *vertices);
+    DeformerError found = excused(difference.norm() / size, excuses);
+    // 50 digits take seconds, and only next to small elements do roundings of vertices move images so far.
+    if (found.error > promised && has_few_elements() && has_50_digits())
+      found.error = excused((difference - rounded->moves(point)).norm() / size, excuses).error;
+    return Errors{found};
   };
 }
 
@@ -289,8 +307,9 @@ DeformerChecks::Errors DeformerChecks::compared(const Images<double>& images, co
       const Mp50 difference = Mp50(images.tensors[o][i]) - with.tensors[o][i];
       sum += difference * difference;
     }
-    errors[o] =
-        excused(std::sqrt(static_cast<double>(sum)) * std::pow(cage_->size(), o - 1), with_condition(condition));
+    const double size = cage_->size(), found = std::sqrt(static_cast<double>(sum)) * std::pow(size, o - 1);
+    errors[o] = excused(found, with_condition(condition));
+    errors[o].error /= own_size(with.tensors[o], o, size, seen_from_);
   }
   return errors;
 }
@@ -357,7 +376,9 @@ DeformerChecks::Ask DeformerChecks::differences() const {
         const R difference = (changes[i] - (up.tensors[o - 1][i] - down.tensors[o - 1][i])) / (2 * step);
         sum += difference * difference;
       }
-      errors[o] = excused(static_cast<double>(R(sqrt(sum))) * std::pow(cage_->size(), o - 1), {});
+      const double size = cage_->size(), found = static_cast<double>(R(sqrt(sum))) * std::pow(size, o - 1);
+      // A step's own error grows with the map, as roundings do.
+      errors[o] = {found / own_size(here.tensors[o], o, size, seen_from_), found};
     }
     return errors;
   };

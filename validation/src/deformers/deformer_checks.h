@@ -71,17 +71,19 @@ class DeformerChecks {
                  const deformation::Deformer<double>* like = nullptr);
 
   /// keeps_rigid, keeps_scale, keeps_mirror, keeps_linear: images with those of the map that poses the cage, in double.
+  /// Where they differ by more than is promised, on small cages, from where RoundedPose moves them.
   /// keeps_linear_with_normals, of methods that take normal derivatives: the same with those of the map.
   /// keeps_offset, by default parameters on small cages: images of the same cage far from the origin, posed as it is,
   /// with the points.
   /// keeps_symmetry, on cages that are their own mirror images across an axis, and posed symmetrically: images of
   /// mirrored points with the mirrored images, where the deformer's elements are symmetric, too.
   /// keeps_symmetry_of_quads: the same where the quads are, and not the triangles that they are split in.
-  /// deformer_truth: images and their derivatives in double with those in 50 digits, where these are prompt. Methods
+  /// deformer_truth: images and their derivatives in double with those in 50 digits, where these are prompt; in cage
+  /// sizes, or parts of the image's distance from the posed cage or of the derivative, whichever is less. Methods
   /// that solve systems for the cage are asked only on small cages and with default parameters; kinds that keep quads
   /// only with default parameters.
   /// deformer_jacobian: derivatives with central differences of the images and of the Jacobian, in 50 digits where
-  /// these are prompt, else in double, along one direction per point.
+  /// these are prompt, else in double, along one direction per point, in the same unit.
   /// deformer_by_quadrature: images with those that an adaptive rule gives, on small cages, by default parameters.
   /// second_route: images in 50 digits with those of second_routes::LayerRoute, of methods that solve for densities; in
   /// space by default parameters, in the plane of the cage turned.
@@ -99,6 +101,7 @@ class DeformerChecks {
   Prepared<R> prepared(const std::string& evaluation) const;
   /// Few elements and, where quads are kept, few corners of them.
   bool has_few_elements() const;
+  bool has_50_digits() const;
   bool is_prompt_in_50_digits() const;
   std::optional<std::string> quadrature() const;
   Question<PointAt> question(std::string_view check, std::string_view pose, ScalarKind scalar, int lowest, int highest,
@@ -128,6 +131,7 @@ class DeformerChecks {
   Lazy<Prepared<Mp50>> in_50_digits_;
   BentImages<double> bent_;
   BentImages<Mp50> bent_in_50_digits_;
+  Vec3<double> seen_from_;  ///< a vertex of the bent cage
   std::optional<CageCoordinates> prior_;
 };
 

@@ -20,8 +20,14 @@ struct SpaceMap {
 
   /// With more digits than double, so that in a cage far from the origin a map's own roundings are not taken for
   /// those of whoever keeps it.
-  Vec3<long double> exactly(const Vec3<double>& x, double size) const {
-    return linear.cast<long double>() * x.cast<long double>() + size * shift.cast<long double>();
+  template <class R = long double>
+  Vec3<R> exactly(const Vec3<double>& x, double size) const {
+    Vec3<R> found;
+    for (int c = 0; c < 3; ++c) {
+      found[c] = R(size) * R(shift[c]);
+      for (int j = 0; j < 3; ++j) found[c] += R(linear(c, j)) * R(x[j]);
+    }
+    return found;
   }
   /// Rounded once.
   Vec3<double> operator()(const Vec3<double>& x, double size) const { return exactly(x, size).cast<double>(); }

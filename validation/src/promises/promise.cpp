@@ -29,7 +29,8 @@ constexpr double exact_map = 1e-13;
 constexpr std::string_view deformer_reason =
     "exact except for roundings: 1e-16 of the size, times a thousand or times the condition of the systems "
     "solved, which excuses errors down to the seventh digit and no further; for a cage or a pose far from the "
-    "origin also four roundings of its coordinates, down to the fifth digit";
+    "origin also four roundings of its coordinates, down to the fifth digit; of images beyond a size off, in "
+    "their own size, as they are rounded";
 constexpr std::string_view least_energy =
     "steps end where rounding hides the energy's slope; the minimum is then as far off as the root of a rounding";
 constexpr std::string_view unit_normals =
@@ -343,9 +344,6 @@ constexpr std::array table{
     Row{"keeps_linear", "@(ahap|aaap|tp)", "@(alignment=@(hard|soft|nonnegative)|neumann=affine)", "double", "*", 0, 0,
         none, "normal derivatives that are held to the posed normals are not those of the map"},
     Row{"keeps_linear", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
-    Row{"keeps_offset", "@(variational|thickness)", "*", "double", "*", 0, 0, 16,
-        "far off, places and their targets are rounded once each, and the motion found from them enlarges that at "
-        "corners further off than the places: 10 on drawings of six and eight corners"},
     Row{"keeps_offset", "*", "*", "double", "*", 0, 0, 4,
         "images are computed next to the cage, to 1e-13 of its size, which at 1e3 sizes is one rounding, and each "
         "component is rounded once on the way back: 1.7 found"},
