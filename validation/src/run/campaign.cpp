@@ -100,10 +100,9 @@ std::optional<Part> part_for(const Check& check, const Evaluation& evaluation, S
     case Check::Cost::Truths: return every(wide_stride, samples);
     case Check::Cost::Evaluations: break;
   }
-  const bool few_adaptive = options.few_adaptive && evaluation.cost() >= CostClass::Adaptive;
-  // At these distances adaptive rules take all of their nodes, seconds each, to decline; but not of the first sample,
-  // nor of the last in the suite `quick`, which is very far away and has all derivatives.
-  if (few_adaptive && regime.name == "tiny") return every(std::max(1, samples - 1), samples);
+  // Of `tiny`, whose samples are of ten sorts, each decides the verdicts of other formulas and orders.
+  const bool few_adaptive =
+      options.few_adaptive && evaluation.cost() >= CostClass::Adaptive && regime.name != "tiny";
   // Samples rounded to float have truths of their own, and adaptive rules take as long as truths. Both take the first
   // and the last of a sweep, and elsewhere one exactly on the element and one off it.
   constexpr int costly_stride = 3;
