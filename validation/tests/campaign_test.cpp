@@ -118,27 +118,6 @@ TEST(campaign, the_quickest_suite_confirms_derivatives_next_to_the_element) {
   }
 }
 
-TEST(campaign, few_adaptive_samples_leave_no_row_undecided) {
-  CampaignOptions options;
-  options.formulas = "quad.single_layer";
-  options.evaluations = "adaptive";
-  options.regimes = "on-plane";
-  options.samples = suites().front().samples;
-  options.integral_samples = options.integral_entries = 1;
-  options.enclosures = 0;
-  const auto all = run_campaign(options).rows;
-  options.few_adaptive = true;
-  const auto few = run_campaign(options).rows;
-  ASSERT_EQ(few.size(), all.size());
-  int fewer = 0;
-  for (std::size_t i = 0; i < few.size(); ++i) {
-    EXPECT_EQ(few[i].check, all[i].check);
-    EXPECT_EQ(few[i].verdict, all[i].verdict) << few[i].check << " order " << few[i].order;
-    fewer += few[i].asked < all[i].asked ? 1 : 0;
-  }
-  EXPECT_GE(fewer, 3);
-}
-
 TEST(campaign, patterns_that_match_nothing_are_bad_input) {
   for (const auto member : {&CampaignOptions::formulas, &CampaignOptions::regimes, &CampaignOptions::evaluations}) {
     CampaignOptions options = small();

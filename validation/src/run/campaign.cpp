@@ -100,13 +100,10 @@ std::optional<Part> part_for(const Check& check, const Evaluation& evaluation, S
     case Check::Cost::Truths: return every(wide_stride, samples);
     case Check::Cost::Evaluations: break;
   }
-  // Of `tiny`, whose samples are of ten sorts, each decides the verdicts of other formulas and orders.
-  const bool few_adaptive =
-      options.few_adaptive && evaluation.cost() >= CostClass::Adaptive && regime.name != "tiny";
-  // Samples rounded to float have truths of their own, and adaptive rules take as long as truths. Both take the first
-  // and the last of a sweep, and elsewhere one exactly on the element and one off it.
+  // Samples rounded to float have truths of their own: the first and the last of a sweep, and elsewhere one exactly on
+  // the element and one off it.
   constexpr int costly_stride = 3;
-  const bool few = scalar == ScalarKind::Float || few_adaptive;
+  const bool few = scalar == ScalarKind::Float;
   if (source.is_costly()) return every(!few ? stride : stride == 1 ? costly_stride : 2 * stride, samples);
   const bool all = takes_every_sample(evaluation) && scalar != ScalarKind::Float;
   return every(all ? 1 : options.quadrature_divisor, samples);

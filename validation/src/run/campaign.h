@@ -25,9 +25,6 @@ struct CampaignOptions {
   /// Numbers of an order's tensor, at most, that such an integral is asked for at points on an element, where truths
   /// are costly, and nine times as many where a distance is swept; 0: any. Values are always asked.
   std::size_t integral_entries = 0;
-  /// Whether adaptive rules are asked for only the first and the last of a sweep, or for every third sample, where
-  /// truths are costly.
-  bool few_adaptive = false;
   /// For each formula and regime, enclosed rigorously; not limited by `samples`. 1000 is a proof run: 40 minutes on two
   /// free cores.
   int enclosures = 1;

@@ -222,7 +222,6 @@ class Planner {
     campaign.integral_samples = options_.suite.integral_samples;
     campaign.integral_entries = options_.suite.integral_entries;
     campaign.enclosures = options_.suite.enclosures;
-    campaign.few_adaptive = options_.suite.has_time_limit;
     return campaign;
   }
 
