@@ -26,6 +26,41 @@ class mp : public testing::Test {
 using Types = testing::Types<Mp50, Mp100, Mp200>;
 TYPED_TEST_SUITE(mp, Types);
 
+// A number of random limbs, many of which are all zeros or all ones, so that ties and carries are met.
+template <class R>
+R of_random_limbs(RandomStream& random, int exponent) {
+  R x = 1;
+  for (int limb = 0; limb < (std::numeric_limits<R>::digits + 63) / 64; ++limb) {
+    const R unit = ldexp(R(1), -64 * (limb + 1));
+    const int kind = random.below(5);
+    if (kind == 0) continue;
+    if (kind == 1) x += (ldexp(R(1), 64) - 1) * unit;
+    else if (kind == 2) x += ldexp(unit, random.below(64));
+    else x += R(random.uniform()) * ldexp(unit, 64);
+  }
+  return ldexp(R(random.below(2) == 0 ? x : -x), exponent);
+}
+
+TYPED_TEST(mp, builtin_numbers_are_the_nearest) {
+  const auto expect_nearest = [](const TypeParam& x) {
+    const double narrow = mpfr_get_d(x.data(), MPFR_RNDN);
+    const long double wide = mpfr_get_ld(x.data(), MPFR_RNDN);
+    const auto found = static_cast<double>(x);
+    const auto found_wide = static_cast<long double>(x);
+    EXPECT_TRUE((std::isnan(narrow) && std::isnan(found)) ||
+                (narrow == found && std::signbit(narrow) == std::signbit(found)))
+        << x << ": " << found << ", not " << narrow;
+    EXPECT_TRUE((std::isnan(wide) && std::isnan(found_wide)) ||
+                (wide == found_wide && std::signbit(wide) == std::signbit(found_wide)))
+        << x << ": " << found_wide << ", not " << wide;
+  };
+  for (const double x : {0., -0., 1., HUGE_VAL, -HUGE_VAL, static_cast<double>(NAN)}) expect_nearest(TypeParam(x));
+  RandomStream random(7, "mp", 0);
+  // Both ends of both ranges, and beyond.
+  for (const int middle : {0, -1022, -1074, 1023, -16382, -16445, 16383, 40000})
+    for (int i = 0; i < 2000; ++i) expect_nearest(of_random_limbs<TypeParam>(random, middle + random.below(9) - 4));
+}
+
 TYPED_TEST(mp, arithmetic_is_boosts) {
   using Number = MpNumber<TestFixture::digits>;
   std::vector<double> values{0, -0., 1, -1, .5, 3, 1e300, -1e-300, 0x1p-1074, HUGE_VAL, NAN};

@@ -77,6 +77,25 @@ TEST(cage_properties, meet_the_truth_inside) {
 }
 
 // Rows stand under the scalar that they are computed in: differences of double would not see 1e-30.
+// Costly evaluations are asked at as few points as leave a verdict for each place.
+TEST(cage_properties, of_one_point_per_place_have_all_rows) {
+  const Cage cage = embedded_cage("cube");
+  CageCampaignOptions options = few_points();
+  options.kinds = "mean_value";
+  options.properties_alone = true;
+  const auto all = run_cage_campaign(cage, options);
+  options.one_per_place = true;
+  const auto few = run_cage_campaign(cage, options);
+  ASSERT_EQ(few.size(), all.size());
+  for (std::size_t i = 0; i < few.size(); ++i) {
+    EXPECT_EQ(few[i].check, all[i].check);
+    EXPECT_EQ(few[i].place, all[i].place);
+    EXPECT_EQ(few[i].verdict, all[i].verdict);
+    EXPECT_EQ(few[i].samples, 1U);
+    EXPECT_GT(all[i].samples, 1U);
+  }
+}
+
 TEST(cage_properties, name_the_scalar_of_differences) {
   CageCampaignOptions options = few_points();
   options.kinds = "green";

@@ -16,6 +16,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace cageproof::validation {
 namespace {
@@ -43,6 +44,11 @@ void keep_evenly(std::vector<CagePoint>& points, const CageElements& elements, i
   for (std::size_t i = 0; i < points.size(); ++i)
     if (seen[groups[i]]++ % ((counts[groups[i]] + share - 1) / share) == 0) points[kept++] = points[i];
   points.resize(kept);
+}
+
+void keep_first_of_each_place(std::vector<CagePoint>& points) {
+  std::set<Place> seen;
+  std::erase_if(points, [&](const CagePoint& p) { return !seen.insert(p.place).second; });
 }
 
 // The relations of one kind of coordinates, by one evaluation, on a cage.
@@ -102,6 +108,7 @@ class CageMeasurement final : public Measurement {
     setup.subject = std::make_shared<const CageSubject>(cage_, kind_, o.evaluation, o.triangulation);
     const CageCoordinates& coordinates = setup.subject->coordinates();
     setup.off = points_off(*cage_, setup.subject->locator(), o.seed, o.points);
+    if (o.one_per_place) keep_first_of_each_place(setup.off);
     if (kind_.inside_alone) std::erase_if(setup.off, [](const CagePoint& p) { return p.place == Place::Outside; });
     if (!o.properties_alone) {
       setup.on = points_on(coordinates, *cage_);

@@ -283,10 +283,10 @@ class Planner {
       }
   }
 
-  // Somebody waits for the verdict on one cage. Samples are at least twelve, one of each place.
+  // Somebody waits for the verdict on one cage.
   int block_points_of_run() const {
     const Suite& suite = options_.suite;
-    return options_.only_cage && suite.has_time_limit ? suite.block_points / 3 : suite.block_points;
+    return options_.only_cage && suite.has_time_limit ? 2 * suite.block_points / 3 : suite.block_points;
   }
 
   BlockCampaignOptions block_options() const {
@@ -339,6 +339,7 @@ class Planner {
         campaign.evaluation = evaluation.name();
         campaign.kinds = kind.name;
         campaign.points = affordable_points(evaluation, campaign.points);
+        campaign.one_per_place = evaluation.cost() >= CostClass::Adaptive && options_.suite.has_time_limit;
         campaign.properties_alone = true;
         add(cage_measurements(cage, campaign));
       }
@@ -425,7 +426,7 @@ class Planner {
   // A verdict on one cage does not wait for a picture that promises nothing.
   int scene_pairs() const {
     const Suite& suite = options_.suite;
-    return options_.only_cage && suite.has_time_limit ? suite.scene_pairs / 10 : suite.scene_pairs;
+    return options_.only_cage && suite.has_time_limit ? suite.scene_pairs / 3 : suite.scene_pairs;
   }
 
   // One scene a run, of the first kind that papers print and of the suite's cage, or the user's; all of them

@@ -19,6 +19,7 @@ struct CageCampaignOptions {
   int on_points = 0;              ///< on the cage, at most, spread evenly over each place; 0: all
   bool differences = true;        ///< whether derivatives are compared with differences in 100 digits
   bool signs = false;             ///< whether coordinates inside are asked whether they are negative
+  bool one_per_place = false;     ///< off the cage, only the first of the points inside, and of those outside
   bool properties_alone = false;  ///< only partition of unity and linear reproduction of values, off the cage
   /// Kinds whose densities are solved for on samples of the cage are asked with at most so many elements.
   int solved_elements = 12;
