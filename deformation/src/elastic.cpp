@@ -47,29 +47,33 @@ class ElasticPosed final : public Posed<R> {
 template <Scalar R>
 class ElasticDerivative final : public PoseDerivative<R> {
  public:
-  explicit ElasticDerivative(std::size_t vertices) : vertices_(static_cast<Eigen::Index>(vertices)) {}
+  ElasticDerivative(int dimension, std::size_t vertices)
+      : dimension_(dimension), vertices_(static_cast<Eigen::Index>(vertices)) {}
 
   std::unique_ptr<const Posed<R>> along(const std::vector<Vec3<R>>& change) const override {
-    return std::make_unique<ElasticPosed<R>>(change);
+    return std::make_unique<ElasticPosed<R>>(dimension_, change);
   }
-  std::vector<Matrix<R>> nothing() const override { return {Matrix<R>::Zero(vertices_, 2)}; }
+  std::vector<Matrix<R>> nothing() const override { return {Matrix<R>::Zero(vertices_, dimension_)}; }
   void gather(std::span<const CoordinateTable<R>> coordinates, std::size_t points, std::span<const R> weights,
               std::vector<Matrix<R>>& gathered) const override {
     const CoordinateTable<R>& table = coordinates[0];
     for (std::size_t p = 0; p < points; ++p) {
       const R* from = &table.tensors[0][p * table.stride[0]];
       for (Eigen::Index v = 0; v < vertices_; ++v)
-        for (std::size_t row = 0; row < 2; ++row)
-          for (int column = 0; column < 2; ++column) gathered[0](v, column) += *from++ * weights[2 * p + row];
+        for (int row = 0; row < dimension_; ++row)
+          for (int column = 0; column < dimension_; ++column)
+            gathered[0](v, column) += *from++ * weights[static_cast<std::size_t>(dimension_) * p + row];
     }
   }
   std::vector<Vec3<R>> back(const std::vector<Matrix<R>>& gathered) const override {
-    std::vector<Vec3<R>> found;
-    for (Eigen::Index v = 0; v < vertices_; ++v) found.emplace_back(gathered[0](v, 0), gathered[0](v, 1), R(0));
+    std::vector<Vec3<R>> found(static_cast<std::size_t>(vertices_), Vec3<R>::Zero());
+    for (Eigen::Index v = 0; v < vertices_; ++v)
+      for (int column = 0; column < dimension_; ++column) found[v][column] = gathered[0](v, column);
     return found;
   }
 
  private:
+  int dimension_;
   Eigen::Index vertices_;
 };
 
@@ -88,7 +92,7 @@ class Elastic final : public Deformer<R> {
   }
   std::unique_ptr<const PoseDerivative<R>> derivative(const Pose<R>& pose) const override {
     check_pose(coordinates_.elements(), pose);
-    return std::make_unique<ElasticDerivative<R>>(pose.vertices.size());
+    return std::make_unique<ElasticDerivative<R>>(coordinates_.dimension(), pose.vertices.size());
   }
 
  private:

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::somigliana_routes_test {
 namespace {
 
 struct Setting {
@@ -104,4 +104,4 @@ TEST(somigliana_routes, tractions_are_those_of_the_dense_system_and_balanced) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::somigliana_routes_test

@@ -90,9 +90,8 @@ std::optional<Part> part_for(const Check& check, const Evaluation& evaluation, S
       if (stride > 1) return every(stride, 1);
       // Half of them where nothing is swept. Points on an element lie exactly on it and a rounding off it by turns, and
       // only the latter have all derivatives: one of each at least, or no derivative would be confirmed.
-      const bool none_swept = regime.parameters.empty(), on_element = regime.name.starts_with("on-");
-      const int least = on_element ? std::min(2, options.integral_samples) : 1;
-      const int half = std::max(least, (options.integral_samples + 1) / 2);
+      const bool none_swept = regime.parameters.empty();
+      const int half = std::max(std::min(2, options.integral_samples), (options.integral_samples + 1) / 2);
       const int integrals = none_swept ? half : options.integral_samples;
       const int nth = none_swept ? std::min(wide_stride, largest_odd(samples - 1)) : wide_stride;
       return every(nth, std::min(samples, nth * integrals));

@@ -20,7 +20,7 @@ struct CampaignOptions {
   int swept_samples = 0;
   int quadrature_divisor = 7;  ///< rules, schemes and float take every n-th of them; prime to every sweep's length
   /// For each formula and regime that sweeps a parameter, for the multiprecision integral; half where nothing is swept,
-  /// but two at least on elements.
+  /// but two at least.
   int integral_samples = 4;
   /// Numbers of an order's tensor, at most, that such an integral is asked for at points on an element, where truths
   /// are costly, and nine times as many where a distance is swept; 0: any. Values are always asked.
