@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # scripts/check_tidy.sh [--minutes N] [--all | BASE]: clang-tidy over the C++ files that commits since BASE changed, the last ones first; --all: over all sources.
-# A header is checked with a source that includes it; moves, and changes of only #include lines and comments, are not looked at. BASE: the branch's start off origin/main; on origin/main itself, ten commits back.
+# A header is checked with a source that includes it; moves, and changes of only #include lines, comments and names of namespaces, are not looked at. BASE: the branch's start off origin/main; on origin/main itself, ten commits back.
 # --minutes: stops then, and fails when it did not reach all files. Exit 0: all were looked at, nothing found; 1: something was found, or a file not reached;
 # 2: it cannot run.
 set -euo pipefail
@@ -63,9 +63,9 @@ else
     exit 2
   }
   since=$base
-  # Files that were moved, or of which only #include lines and comments changed, are the same code.
+  # Files that were moved, or of which only #include lines, comments and names of namespaces changed, are the same code.
   git diff --find-renames -l5000 --unified=0 "$base" HEAD -- '*.cpp' '*.h' |
-    awk '/^\+\+\+ / {file = substr($0, 7); next} /^--- / {next} /^[-+]/ && (!/^[-+][ \t]*(#include .*|\/\/.*)?$/ || /NOLINT/) && !seen[file]++ {print file}' >"$work/code"
+    awk '/^\+\+\+ / {file = substr($0, 7); next} /^--- / {next} /^[-+]/ && (!/^[-+][ \t]*(#include .*|\/\/.*|(\}  \/\/ )?namespace [A-Za-z0-9_:]*( \{)?)?$/ || /NOLINT/) && !seen[file]++ {print file}' >"$work/code"
   changed=$(git log --format= --name-only --diff-filter=d "$base..HEAD" -- '*.cpp' '*.h' | awk '!seen[$0]++' | grep -Fxf "$work/code" || true)
 fi
 # Headers that no source includes, and that are no stand-ins of tests.

@@ -79,6 +79,15 @@ if command -v clang-tidy-16 >/dev/null; then
   expect 0 '1 of 1 sources are clean' scripts/check_tidy.sh HEAD~1
   printf 'int one();\ninline char* none() { return nullptr; }\n' >core/src/one.h
   commit spoken
+  # Nor is the name of a namespace.
+  printf 'namespace one {\nint one();\n}  // namespace one\n' >core/src/named.h
+  printf '#include "named.h"\n' >core/src/named.cpp
+  commit named
+  sed -i 's/namespace one/namespace another::one/' core/src/named.h
+  commit renamed
+  expect 0 'no C++ file was changed' scripts/check_tidy.sh HEAD~1
+  git rm -q core/src/named.h core/src/named.cpp
+  commit unnamed
   # A move is the same code; a move and a changed line are not.
   git mv core/src/one.h core/src/first.h
   sed -i 's/one.h/first.h/' core/src/one.cpp
