@@ -236,7 +236,7 @@ TEST(thickness, rejects) {
   expect_refused(bar, bad, {}, "positions[2].to");
   bad = lifted();
   bad.rotations.emplace_back(3, .5, 0);
-  expect_refused(bar, bad, {}, "positions alone");
+  expect_refused(bar, bad, {}, "only positions");
   bad = lifted();
   for (int k = 0; k < 12; ++k) bad.positions.push_back({{.5 + .4 * k, .25, 0}, {.5 + .4 * k, .25, 0}});
   expect_refused(bar, bad, {}, "15 positions are more than the 14 vertices");

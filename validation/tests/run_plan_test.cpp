@@ -136,9 +136,10 @@ TEST(RunPlan, leaves_out_what_a_cage_that_overlaps_itself_has_not) {
     EXPECT_EQ(measured(crossing, part), 0) << part;
   for (const char* part : {"two cubes, green", "two cubes, biharmonic", "deformer green", "deformer mean_value"})
     EXPECT_GE(measured(crossing, part), 1) << part;
-  // Harmonic coordinates say it of a triangle, the others of faces.
-  ASSERT_EQ(crossing.warnings.size(), 4U);
-  for (const char* part : {"regularised_1_3", "ahap, biharmonic_1_2", "no harmonic", "deformer harmonic"})
+  // Harmonic and elastic coordinates say it of a triangle, the others of faces.
+  ASSERT_EQ(crossing.warnings.size(), 6U);
+  for (const char* part : {"regularised_1_3", "ahap, biharmonic_1_2", "no harmonic", "deformer harmonic", "no elastic",
+                           "deformer elastic"})
     EXPECT_TRUE(std::ranges::any_of(crossing.warnings, [&](const std::string& warning) {
       return warning.find(part) != std::string::npos;
     })) << part;
