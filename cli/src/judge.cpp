@@ -77,9 +77,9 @@ void judge_formula(judge::Certificate& c, judge::ForeignCode& code, const Formul
 void judge_kind(judge::Certificate& c, judge::ForeignCode& code, std::string_view kind, const std::string& name,
                 const judge::ElementCampaignOptions& options) {
   const judge::CageVerdict verdict = judge::judge_whole_cage(judge::whole_cage_function(code, kind), kind);
-  c.formulas.push_back(judge::run_cage_campaign(code, kind, name, options));
+  c.formulas.push_back(judge::run_cage_campaign(code, kind, name, options, verdict.convention));
   c.findings = judge::named_findings(verdict, kind);
-  const auto found = judge::beside_named(judge::findings_of({c.formulas.back()}, {}), !c.findings.empty());
+  const auto found = judge::beside_named(judge::findings_of({c.formulas.back()}, {}), !verdict.findings.empty());
   c.findings.insert(c.findings.end(), found.begin(), found.end());
 }
 
@@ -231,7 +231,7 @@ void add_judge(CommandLine& line, const std::string& command_line) {
   command.heading("Limits of its process");
   command.option("--seconds", a->limits.seconds, "without an answer").in_range(0.01, 3600.0).showing_default();
   command.option("--memory", a->memory, "address space in GB").in_range(0.01, 1024.0).showing_default();
-  command.heading("What is written");
+  command.heading("Output");
   command.option("--out", a->out, "a folder for certificate.json and certificate.md, or for --template")
       .taking("FOLDER");
   command.flag("--inputs", a->inputs, "show each row's worst input, as a line of eval");

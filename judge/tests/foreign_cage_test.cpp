@@ -117,6 +117,13 @@ TEST(foreign_cage, errors_are_those_of_the_code) {
   EXPECT_EQ(campaign.times.size(), 3U);
 }
 
+TEST(foreign_cage, convention_is_undone_before_errors_are_measured) {
+  ForeignCode code(JUDGED_LIBRARIES "/cage.so", cage_limits());
+  const CageConvention halves{{{0, 0.5, 0}}, ""};
+  const auto campaign = run_cage_campaign(code, kKind, "mine", {.samples = 3, .regimes = "inside"}, halves);
+  EXPECT_NEAR(campaign.rows.at(0).relative.median, 1, 1e-12);
+}
+
 TEST(foreign_cage, threshold_is_named) {
   setenv("HOSTILE", "threshold", 1);
   ForeignCode code(JUDGED_LIBRARIES "/cage.so", cage_limits());

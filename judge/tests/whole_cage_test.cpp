@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 extern "C" {
 void zoo_cage_sound(const zoo_cage*);
@@ -103,19 +104,74 @@ TEST(whole_cage, values_without_their_sum_are_right_after_normalising) {
   EXPECT_EQ(found_in(judge_whole_cage(raw, "mean_value")), "right_after_normalising");
 }
 
+// Green coordinates by the suite: phi of the vertices, then psi of the faces.
+std::vector<double> green(const CageQuestion& q) {
+  std::vector<Face> faces;
+  faces.reserve(q.faces.size());
+  for (const auto& face : q.faces) faces.push_back({{face[0], face[1], face[2], -1}});
+  const CageCoordinates coordinates(Cage::make("test", q.vertices, faces), coordinate_kind_named("green"),
+                                    CoordinateOptions{"hybrid"});
+  std::vector<double> values;
+  for (const auto& block : coordinates.at<double>(q.points[0], 0))
+    values.insert(values.end(), block.value.begin(), block.value.end());
+  return values;
+}
+
+// As somebody has them whose faces are clockwise, whose potentials lack 1/(4 pi), whose psi is a mean over the face and
+// stands first.
+std::vector<double> other_green(const CageQuestion& q) {
+  const std::vector<double> ours = green(q);
+  std::vector<double> theirs;
+  for (std::size_t f = 0; f < q.faces.size(); ++f) {
+    const auto corner = [&](int k) -> const Vec3<double>& {
+      return q.vertices[static_cast<std::size_t>(q.faces[f][k])];
+    };
+    const double area = (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
+    theirs.push_back(ours[q.vertices.size() + f] * 4 * std::numbers::pi / area);
+  }
+  for (std::size_t v = 0; v < q.vertices.size(); ++v) theirs.push_back(-4 * std::numbers::pi * ours[v]);
+  return theirs;
+}
+
 TEST(whole_cage, green_coordinates_of_the_suite_are_clean_and_have_two_blocks) {
-  const auto green = [](const CageQuestion& q) {
-    std::vector<Face> faces;
-    faces.reserve(q.faces.size());
-    for (const auto& face : q.faces) faces.push_back({{face[0], face[1], face[2], -1}});
-    const CageCoordinates coordinates(Cage::make("test", q.vertices, faces), coordinate_kind_named("green"),
-                                      CoordinateOptions{"hybrid"});
-    std::vector<double> values;
-    for (const auto& block : coordinates.at<double>(q.points[0], 0))
-      values.insert(values.end(), block.value.begin(), block.value.end());
+  const CageVerdict verdict = judge_whole_cage(green, "green");
+  EXPECT_EQ(found_in(verdict), "");
+  ASSERT_TRUE(verdict.convention);
+  EXPECT_TRUE(verdict.convention->is_ours());
+  EXPECT_EQ(verdict.convention->sentence, "yours is ours");
+}
+
+TEST(whole_cage, other_conventions_are_said_and_are_no_defects) {
+  const CageVerdict verdict = judge_whole_cage(other_green, "green");
+  EXPECT_EQ(found_in(verdict), "");
+  ASSERT_TRUE(verdict.convention);
+  EXPECT_FALSE(verdict.convention->is_ours());
+  EXPECT_EQ(verdict.convention->sentence,
+            "yours is ours with psi times 4 pi divided by the face's area, phi times -4 pi (normals that point inward, "
+            "or the other sign of the fundamental solution), the order psi, phi");
+}
+
+TEST(whole_cage, defects_in_another_convention_are_named) {
+  const auto twice = [](const CageQuestion& q) {
+    auto weights = asked(zoo_cage_absolute_threshold, q);
+    for (double& w : weights) w *= 2;
+    return weights;
+  };
+  const CageVerdict verdict = judge_whole_cage(twice, "mean_value");
+  EXPECT_EQ(found_in(verdict), "absolute_threshold");
+  ASSERT_TRUE(verdict.convention);
+  EXPECT_EQ(verdict.convention->sentence, "yours is ours with lambda times 2");
+}
+
+TEST(whole_cage, factors_that_depend_on_the_point_are_no_convention) {
+  const auto drifting = [](const CageQuestion& q) {
+    auto values = green(q);
+    for (double& x : values) x *= 1 + 1e-6 * q.points[0].x();
     return values;
   };
-  EXPECT_EQ(found_in(judge_whole_cage(green, "green")), "");
+  const CageVerdict verdict = judge_whole_cage(drifting, "green");
+  EXPECT_FALSE(verdict.convention);
+  EXPECT_NE(found_in(verdict), "");
 }
 
 }  // namespace

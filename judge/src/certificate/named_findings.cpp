@@ -38,7 +38,8 @@ std::string sentence(const Defect& defect, const std::string& evidence, const st
 
 std::vector<CodeFinding> named_findings(const CageVerdict& verdict, std::string_view kind) {
   std::vector<CodeFinding> found;
-  found.reserve(verdict.findings.size());
+  if (verdict.convention && !verdict.convention->is_ours())
+    found.push_back({"convention", verdict.convention->sentence, std::string(kind), 0, "", 1, false});
   for (const CageFinding& finding : verdict.findings)
     found.push_back({std::string(finding.defect->key),
                      sentence(*finding.defect, finding.evidence, finding.ours, finding.theirs), std::string(kind), 0,

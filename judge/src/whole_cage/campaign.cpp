@@ -111,6 +111,7 @@ std::vector<PairTime> cage_times(ForeignCode& code, std::string_view kind, const
 struct Asking {
   std::string_view regime;
   std::vector<const JudgedCage*> cages;
+  std::vector<const CageQuestion*> questions;  // without points
   std::vector<Asked> asked;
   std::vector<Answer> answers;
   std::vector<Measured> measured;
@@ -139,14 +140,15 @@ WholeCageFunction whole_cage_function(ForeignCode& code, std::string_view kind) 
 }
 
 SubjectCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, const std::string& name,
-                                  const ElementCampaignOptions& options) {
+                                  const ElementCampaignOptions& options,
+                                  const std::optional<CageConvention>& convention) {
   SubjectCampaign campaign{std::string(kind), true, 0, {}, {}};
   const CoordinateKind& row = coordinate_kind_named(kind);
   std::map<const CagePlaces*, std::unique_ptr<JudgedCage>> cages;
   std::vector<Asking> all;
   for (const std::string_view regime : cage_regimes()) {
     if (!matches(options.regimes, regime)) continue;
-    Asking asking{regime, {}, {}, {}, {}};
+    Asking asking{regime, {}, {}, {}, {}, {}};
     const auto& places = places_of(regime);
     for (int i = 0; i < options.samples; ++i) {
       const CagePlaces& place = places[static_cast<std::size_t>(i) % places.size()];
@@ -157,6 +159,7 @@ SubjectCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, cons
       auto& cage = cages[&place];
       if (!cage) cage = std::make_unique<JudgedCage>(question, row);
       asking.cages.push_back(cage.get());
+      asking.questions.push_back(&place.question());
       asking.asked.push_back(asked_of(question));
       asking.asked.back().coordinates = cage->count();
     }
@@ -174,7 +177,9 @@ SubjectCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, cons
     Measured& found = asking->measured[i];
     if (answer.status == Answer::Status::Given) {
       const std::vector<double>& p = asking->asked[i].points;
-      found = asking->cages[i]->measure({p[0], p[1], p[2]}, answer.tensors[0]);
+      const std::vector<double>& given = answer.tensors[0];
+      found = asking->cages[i]->measure(
+          {p[0], p[1], p[2]}, convention ? convention->in_ours(*asking->questions[i], row.name, given) : given);
     } else {
       found.status = answer.status == Answer::Status::Declined ? Measured::Status::Declined : Measured::Status::Failed;
     }

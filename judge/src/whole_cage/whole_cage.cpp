@@ -173,7 +173,11 @@ CageVerdict judge_whole_cage(const WholeCageFunction& theirs, std::string_view k
     verdict.findings.push_back(std::move(*state));
     return verdict;
   }
-  const std::array<std::vector<CageCase>, 2> units{asked(theirs, kind, 1), asked(theirs, kind, kOtherUnit)};
+  verdict.convention = find_cage_convention(theirs, kind);
+  const WholeCageFunction in_ours = [&](const CageQuestion& question) {
+    return verdict.convention ? verdict.convention->in_ours(question, kind, theirs(question)) : theirs(question);
+  };
+  const std::array<std::vector<CageCase>, 2> units{asked(in_ours, kind, 1), asked(in_ours, kind, kOtherUnit)};
   std::map<std::string_view, std::vector<const CageCase*>> causes;
   for (std::size_t u = 0; u < 2; ++u) {
     const Seen seen = seen_in(units[0]);

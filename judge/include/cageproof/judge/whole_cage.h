@@ -2,44 +2,36 @@
 // Implementations that only give coordinates of whole cages, judged.
 #pragma once
 
+#include "cageproof/judge/cage_convention.h"
 #include "cageproof/judge/element_campaign.h"
 #include "cageproof/judge/verdict.h"
 
-#include <array>
-#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace cageproof::judge {
-
-/// A cage of triangles and points in space, as a caller has them.
-struct CageQuestion {
-  std::vector<Vec3<double>> vertices;
-  std::vector<std::array<int, 3>> faces;  ///< counter-clockwise seen from outside
-  std::vector<Vec3<double>> points;
-};
-
-/// Returns coordinates, [point][coordinate]: first those of all vertices, then those of all faces, for kinds that have
-/// these. Empty where the function gives none.
-using WholeCageFunction = std::function<std::vector<double>(const CageQuestion&)>;
 
 /// One defect of whole cages, with a question that shows it.
 struct CageFinding {
   const Defect* defect = nullptr;
   CageQuestion question;             ///< one point
-  std::vector<double> ours, theirs;  ///< coordinates of that point
+  std::vector<double> ours, theirs;  ///< coordinates of that point, in our convention
   std::size_t cases = 0;
   std::string evidence;
 };
 
 struct CageVerdict {
-  std::vector<CageFinding> findings;  ///< none: clean
-  std::size_t points = 0;             ///< that were compared with the truth
+  std::optional<CageConvention> convention;  ///< nothing where none fits; judged as ours then
+  std::vector<CageFinding> findings;         ///< none: clean
+  std::size_t points = 0;                    ///< that were compared with the truth
 };
 
 /// \throws InputError for a kind that is unknown, or is not a sum over triangles with numbers for coordinates
 void require_judged_kind(std::string_view kind);
 
 /// Asks on tetrahedra, a cube and an octahedron, at points inside and, of `mean_value`, on them, in two units of
-/// length.
+/// length. Finds the convention first, and judges in it.
 /// \param kind "mean_value", "green" or another sum over triangles with numbers for coordinates
 /// \throws InputError for a kind that is unknown or has matrices
 CageVerdict judge_whole_cage(const WholeCageFunction& theirs, std::string_view kind);
@@ -54,9 +46,11 @@ WholeCageFunction whole_cage_function(ForeignCode& code, std::string_view kind);
 /// length, and far from the origin; and times. The truth is the kind by `closed_form` in 50 digits. Errors are relative
 /// to the largest coordinate of the block: of all vertices, or of all faces.
 /// \param kind as for judge_whole_cage \param name of the code in the times
+/// \param convention of the code's numbers, which is undone before they are measured
 /// \param options regimes as cage_regimes() names them; `single` and `ours` do not matter
 SubjectCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, const std::string& name,
-                                  const ElementCampaignOptions& options);
+                                  const ElementCampaignOptions& options,
+                                  const std::optional<CageConvention>& convention = std::nullopt);
 
 /// "inside", "near-face", "near-edge", "near-vertex", "on-face", "on-edge", "on-vertex", "units", "offset".
 std::vector<std::string_view> cage_regimes();
