@@ -60,6 +60,7 @@ openmpi-bin              starts four ranks that measure one run
 python3                  runs the commands of README.md and docs/
 python3-clang-16         reads sources for scripts/mutate, whose accounting is tested
 python3-jsonschema       checks real output against docs/schemas
+nodejs                   runs the checker of test vectors in JavaScript
 python3-numpy            docs/apply.md's examples: what coordinates' files hold, and what is done with it
 python3-pytest           runs the tests of the package for Python
 python3-pip              builds and installs that package

@@ -35,8 +35,31 @@ END
   grep "^$4: " stdout | awk '{exit !($2 < $4)}' || fail "$1 passes what aims at it: $(cat stdout)"
 }
 wrong 'a threshold on volumes' 'if volume == 0:' 'if abs(volume) < 1e-6:' height-threshold
-wrong 'half a jump in the plane' 'return [angle_in_plane(e)]' 'return [2 * math.pi]' half-in-plane
+wrong 'half a jump in the plane' 'return [[angle_in_plane(e)]]' 'return [[2 * math.pi]]' half-in-plane
 wrong 'a determinant in floats' 'Fraction(s) - Fraction(t)' 'Fraction(s - t)' cancellation
+
+# A gradient that is returned is checked, too: zero is no vector's.
+sed '0,/return \[\[2 \* /s//return [[0.0] * 3][:0] + [[2 * /; s/, below)\]\]$/, below)], [0.0, 0.0, 0.0]]/' "$checkers/check.py" >gradient.py
+check gradient.py $vectors
+[ $? -eq 1 ] || fail "a gradient of zeros passes: $(cat stdout stderr)"
+
+# The checkers in C and JavaScript count what Python's counts.
+grep -v '^worst' <(check "$checkers/check.py" $vectors; cat stdout) >counts
+cc -std=c99 -O1 -Wall -Wextra -Werror "$checkers/check.c" -lm -o check || fail "check.c"
+./check one/triangle.solid_angle.txt >stdout || fail "C: $(cat stdout)"
+diff <(sort counts) <(grep -v '^worst' stdout | sort) || fail "C counts otherwise"
+node "$checkers/check.js" $vectors >stdout || fail "JavaScript: $(cat stdout)"
+diff <(sort counts) <(grep -v '^worst' stdout | sort) || fail "JavaScript counts otherwise"
+sed 's/if (determinant == 0)/if (fabs(determinant) < 1e-6)/' "$checkers/check.c" >wrong.c
+cc -std=c99 -O1 wrong.c -lm -o wrong && ./wrong one/triangle.solid_angle.txt >stdout
+[ $? -eq 1 ] || fail "C: a threshold on volumes passes: $(cat stdout)"
+sed 's/if (volume === 0n) return/if (volume < 10n ** 30n) return/' "$checkers/check.js" >wrong.js
+node wrong.js $vectors >stdout
+[ $? -eq 1 ] || fail "JavaScript: a threshold on volumes passes: $(cat stdout)"
+for refused in "./check nothing.txt" "./check $vectors" "node $checkers/check.js nothing.json"; do
+  $refused >stdout 2>stderr
+  [ $? -eq 2 ] && grep -q 'cannot read vectors' stderr || fail "$refused: $(cat stdout stderr)"
+done
 
 # Truths are those of the integral in 50 digits.
 /usr/bin/python3 - "$cageproof" $vectors <<'END' || fail "truths are not those of the integral"

@@ -3,15 +3,16 @@
 """Checks one function against vectors of `cageproof vectors`; the standard library is enough.
 
 usage: check.py VECTORS.json [BOUND]
-Replace `function`. Exit 0: all vectors within BOUND conditioned units (64); 1: not all; 2: the file cannot be read."""
+Replace `tensors`. Exit 0: all vectors within BOUND conditioned units (64); 1: not all; 2: the file cannot be read."""
 import json
 import math
 import sys
 from fractions import Fraction
 
 
-def function(element, point, parameters):
-    """Yours. Here: the value of triangle.solid_angle. Takes lists of floats; returns a list of the value's numbers."""
+def tensors(element, point, parameters):
+    """Yours. Here: the value of triangle.solid_angle. Takes lists of floats. Returns [value], [value, gradient] or [value, gradient, Hessian], each a list of
+    numbers in the catalogue's order; those that it returns are checked."""
     x = [[c - p for c, p in zip(corner, point)] for corner in element]
     a, b, c = ([float(t) for t in v] for v in x)
 
@@ -23,13 +24,13 @@ def function(element, point, parameters):
     volume = (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0])
               + e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]))
     if volume == 0:
-        return [angle_in_plane(e)]
+        return [[angle_in_plane(e)]]
     la, lb, lc = math.hypot(*a), math.hypot(*b), math.hypot(*c)
     size = max(la, lb, lc)
     a, b, c = ([t / size for t in v] for v in (a, b, c))
     la, lb, lc = la / size, lb / size, lc / size
     below = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb
-    return [2 * math.atan2(float(volume / Fraction(size) ** 3), below)]
+    return [[2 * math.atan2(float(volume / Fraction(size) ** 3), below)]]
 
 
 def angle_in_plane(corners):
@@ -79,10 +80,11 @@ def main():
         numbers = [[float.fromhex(t) for t in corner] for corner in vector["element"]]
         point = [float.fromhex(t) for t in vector["point"]]
         try:
-            found = function(numbers, point, [float.fromhex(t) for t in vector["parameters"]])
+            found = tensors(numbers, point, [float.fromhex(t) for t in vector["parameters"]])
         except (ArithmeticError, ValueError):
-            found = [math.nan]
-        error = units(found, vector["value"], vector["value_denominator"], float.fromhex(data["unit"]))
+            found = [[math.nan]]
+        error = max(units(tensor, vector[key], vector[key + "_denominator"], float.fromhex(data["unit"]))
+                    for key, tensor in zip(("value", "gradient", "hessian"), found) if key in vector)
         if error > worst[0]:
             worst = (error, number)
         for flag in vector["defects"] + ["all"]:
