@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface_layer.h"
 
+#include "../boundary/touching.h"
+
 #include "cageproof/core/numbers/linear.h"
 
 #include <algorithm>
@@ -109,6 +111,31 @@ void SurfaceLayer<R>::add_on(const Vec3<R>& point, std::span<const Touching> on,
     if (std::ranges::find(on, piece.triangle, &Touching::element) == on.end())
       add_piece(piece, std::span(&point, 1), order, to);
   for (const Touching& own : on) add_in_plane(own, order, to);
+}
+
+template <Scalar R>
+CoordinateTable<R> SurfaceLayer<R>::around(const CageElements& elements, std::span<const Vec3<R>> points,
+                                           int order) const {
+  CoordinateTable<R> found = table(points.size(), order);
+  std::vector<Vec3<R>> in_frame;
+  bool touches = false;
+  for (const Vec3<R>& point : points) {
+    in_frame.push_back(surface_.in_frame<R>(point));
+    touches = touches || (order > 0 && !touching(elements, point).empty());
+  }
+  // Values are continuous across the cage.
+  if (!touches) {
+    add(in_frame, order, found);
+    return found;
+  }
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    CoordinateTable<R> one = table(1, order);
+    const std::vector<Touching> on = touching(elements, points[p]);
+    if (on.empty()) add(std::span(&in_frame[p], 1), order, one);
+    else add_on(in_frame[p], on, order, one);
+    for (int o = 0; o <= order; ++o) std::ranges::copy(one.tensors[o], &found.tensors[o][p * found.stride[o]]);
+  }
+  return found;
 }
 
 template <Scalar R>

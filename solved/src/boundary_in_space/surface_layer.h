@@ -34,6 +34,10 @@ class SurfaceLayer {
   /// \pre the formula's tensors are numbers or matrices
   void add_on(const Vec3<R>& point, std::span<const Touching> on, int order, CoordinateTable<R>& to) const;
 
+  /// The layer at points of the user's, in a table of its own: inside and outside, and on the surface the limits from
+  /// inside. \param elements the cage's, which say exactly what a point is on
+  CoordinateTable<R> around(const CageElements& elements, std::span<const Vec3<R>> points, int order) const;
+
   /// Values at places: one row per place and row of the tensor, one column per slot and column of the tensor. \pre the
   /// layer is continuous across the surface
   Matrix<R> rows(std::span<const PlaceOnTriangle> places) const;

@@ -3,7 +3,7 @@
 
 #include "elastic_surface.h"
 
-#include "../boundary/touching.h"
+#include "../boundary_in_space/missed_vertices.h"
 #include "../boundary_in_space/square_system.h"
 
 #include "cageproof/core/coordinates/coordinates_in_double.h"
@@ -42,7 +42,7 @@ class ElasticInSpace final : public CoordinatesInDouble<ElasticInSpace>,
     require_range();
     require_room();
     prepared<double>();
-    require_values();
+    require_vertices_met(*this, blocks_[0], surface_.pieces, name_, "elastic", "displacements", 0.5);
   }
 
   const std::vector<CoordinateBlock>& blocks() const override { return blocks_; }
@@ -70,7 +70,7 @@ class ElasticInSpace final : public CoordinatesInDouble<ElasticInSpace>,
       for (int o = 0; o <= order; ++o)
         for (double& x : table.tensors[o]) x = std::abs(x);
     };
-    CoordinateTable<double> layers = layers_at<double>(points, order);
+    CoordinateTable<double> layers = kelvin_at<double>(points, order);
     make_sizes(layers);
     CoordinateTable<double> own{{}, tables[0].stride};
     for (const Vec3<double>& point : points) {
@@ -94,7 +94,7 @@ class ElasticInSpace final : public CoordinatesInDouble<ElasticInSpace>,
     constexpr std::size_t together = 32;  // tables of all pieces at so many points stay in the cache
     for (std::size_t first = 0; first < points.size(); first += together) {
       const auto some = points.subspan(first, std::min(together, points.size() - first));
-      put<R>(prepared<R>().tractions, somigliana_.at<R>(some, order)[0], layers_at<R>(some, order), some.size(), first,
+      put<R>(prepared<R>().tractions, somigliana_.at<R>(some, order)[0], kelvin_at<R>(some, order), some.size(), first,
              order, tables[0]);
     }
   }
@@ -188,61 +188,10 @@ class ElasticInSpace final : public CoordinatesInDouble<ElasticInSpace>,
         name_, element, off));
   }
 
-  // Constant tractions on pieces that are much longer than a wall is thick do not meet the displacements between the
-  // centroids. Next to corners they miss them most.
-  void require_values() const {
-    constexpr double at_corner = 0.984375, beside = 0.0078125, most = 0.5;
-    std::vector<Touching> places;
-    for (int t = 0; t < surface_.pieces.triangles(); ++t)
-      for (std::size_t k = 0; k < 3; ++k) {
-        Touching place{t, {beside, beside, beside, 0}};
-        place.basis[k] = at_corner;
-        places.push_back(place);
-      }
-    std::vector<CoordinateTable<double>> found(1);
-    found[0].stride[0] = 9 * static_cast<std::size_t>(blocks_[0].size);
-    found[0].tensors[0].assign(places.size() * found[0].stride[0], 0);
-    fill_limits(places, 0, found);
-    for (std::size_t p = 0; p < places.size(); ++p) {
-      double* const values = &found[0].tensors[0][p * found[0].stride[0]];
-      const auto corners = surface_.pieces.vertices_of(places[p].element);
-      for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t i = 0; i < 3; ++i) values[9 * corners[k] + 4 * i] -= places[p].basis[k];
-      double off = 0;
-      for (std::size_t v = 0; v < found[0].stride[0]; ++v) off = std::max(off, std::abs(values[v]));
-      if (off > most)
-        throw InputError(fmt::format(
-            "{}: no elastic coordinates at this level: on triangle {} (counted from 0, quads split) they miss the "
-            "displacements that they interpolate by {:.2g}: a wall is too thin for the pieces of its faces, or parts "
-            "overlap; take a higher level, divide the faces of thin walls, or take mean_value",
-            name_, places[p].element, off));
-    }
-  }
-
   // Kelvin's displacements of all pieces.
   template <Scalar R>
-  CoordinateTable<R> layers_at(std::span<const Vec3<R>> points, int order) const {
-    const SurfaceLayer<R>& layer = prepared<R>().layers->displacement();
-    CoordinateTable<R> found = layer.table(points.size(), order);
-    std::vector<Vec3<R>> in_frame;
-    bool touches = false;
-    for (const Vec3<R>& point : points) {
-      in_frame.push_back(surface_.pieces.in_frame<R>(point));
-      touches = touches || (order > 0 && !touching(somigliana_.elements(), point).empty());
-    }
-    // Values are continuous across the cage.
-    if (!touches) {
-      layer.add(in_frame, order, found);
-      return found;
-    }
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      CoordinateTable<R> one = layer.table(1, order);
-      const std::vector<Touching> on = touching(somigliana_.elements(), points[p]);
-      if (on.empty()) layer.add(std::span(&in_frame[p], 1), order, one);
-      else layer.add_on(in_frame[p], on, order, one);
-      for (int o = 0; o <= order; ++o) std::ranges::copy(one.tensors[o], &found.tensors[o][p * found.stride[o]]);
-    }
-    return found;
+  CoordinateTable<R> kelvin_at(std::span<const Vec3<R>> points, int order) const {
+    return prepared<R>().layers->displacement().around(somigliana_.elements(), points, order);
   }
 
   template <Scalar R>
@@ -309,11 +258,7 @@ std::shared_ptr<const PreparedCoordinates> prepare_elastic_in_space(const Cage& 
 }
 
 std::string why_elastic_is_too_large(const Cage& cage) {
-  const std::size_t unknowns = cage.parts(false, Triangulation::Shortest).elements.size() * ElasticSurface::densities *
-                               (1 << (2 * default_elastic_level));
-  if (unknowns <= RefinedSurface::most_unknowns) return "";
-  return fmt::format("its triangles have {} unknowns at level {}, more than {}; take a lower level", unknowns,
-                     default_elastic_level, RefinedSurface::most_unknowns);
+  return why_too_many_unknowns(cage, ElasticSurface::densities, default_elastic_level);
 }
 
 }  // namespace cageproof::solved

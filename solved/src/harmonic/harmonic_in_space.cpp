@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "harmonic_in_space.h"
 
-#include "../boundary/touching.h"
+#include "../boundary_in_space/missed_vertices.h"
 #include "../boundary_in_space/square_system.h"
 #include "../boundary_in_space/surface_layer.h"
 
@@ -45,7 +45,7 @@ class HarmonicInSpace final : public CoordinatesInDouble<HarmonicInSpace>,
                 .reproduces = Reproduces::Vertices}};
     blocks_[0].trace.kind = CoordinateBlock::Trace::Kind::Zero;
     prepared<double>();
-    require_values();
+    require_vertices_met(*this, blocks_[0], surface_, name_, "harmonic", "values", 0.25);
   }
 
   const std::vector<CoordinateBlock>& blocks() const override { return blocks_; }
@@ -67,7 +67,7 @@ class HarmonicInSpace final : public CoordinatesInDouble<HarmonicInSpace>,
 
   void fill_terms(std::span<const Vec3<double>> points, int order,
                   std::span<CoordinateTable<double>> tables) const override {
-    CoordinateTable<double> layers = layers_at<double>(points, order);
+    CoordinateTable<double> layers = prepared<double>().layer->around(green_.elements(), points, order);
     for (auto& numbers : layers.tensors)
       for (double& x : numbers) x = std::abs(x);
     std::vector<CoordinateTable<double>> own(1);
@@ -93,8 +93,8 @@ class HarmonicInSpace final : public CoordinatesInDouble<HarmonicInSpace>,
     constexpr std::size_t together = 32;  // tables of all corners at so many points stay in the cache
     for (std::size_t first = 0; first < points.size(); first += together) {
       const auto some = points.subspan(first, std::min(together, points.size() - first));
-      put<R>(prepared<R>().slopes, green_.at<R>(some, order)[0], layers_at<R>(some, order), some.size(), first, order,
-             tables[0]);
+      put<R>(prepared<R>().slopes, green_.at<R>(some, order)[0],
+             prepared<R>().layer->around(green_.elements(), some, order), some.size(), first, order, tables[0]);
     }
   }
 
@@ -162,36 +162,6 @@ class HarmonicInSpace final : public CoordinatesInDouble<HarmonicInSpace>,
     return found;
   }
 
-  // Affine slopes on pieces that are much longer than a wall is thick, or on faces within another part, do not meet the
-  // values between the points that were solved for. Next to corners they miss them most.
-  void require_values() const {
-    constexpr double at_corner = 0.984375, beside = 0.0078125, most = 0.25;
-    std::vector<Touching> places;
-    for (int t = 0; t < surface_.triangles(); ++t)
-      for (int k = 0; k < 3; ++k) {
-        Touching place{t, {beside, beside, beside, 0}};
-        place.basis[static_cast<std::size_t>(k)] = at_corner;
-        places.push_back(place);
-      }
-    std::vector<CoordinateTable<double>> found(1);
-    found[0].stride[0] = static_cast<std::size_t>(blocks_[0].size);
-    found[0].tensors[0].assign(places.size() * found[0].stride[0], 0);
-    fill_limits(places, 0, found);
-    for (std::size_t p = 0; p < places.size(); ++p) {
-      double* const values = &found[0].tensors[0][p * found[0].stride[0]];
-      const auto corners = surface_.vertices_of(places[p].element);
-      for (std::size_t k = 0; k < 3; ++k) values[corners[k]] -= places[p].basis[k];
-      double off = 0;
-      for (std::size_t v = 0; v < found[0].stride[0]; ++v) off = std::max(off, std::abs(values[v]));
-      if (off > most)
-        throw InputError(fmt::format(
-            "{}: no harmonic coordinates at this level: on triangle {} (counted from 0, quads split) they miss the "
-            "values that they interpolate by {:.2g}: a wall is too thin for the pieces of its faces, or parts "
-            "overlap; take a higher level, divide the faces of thin walls, or take mean_value",
-            name_, places[p].element, off));
-    }
-  }
-
   void require_one(double sum, int element) const {
     if (!std::isfinite(sum))
       throw InputError(
@@ -204,32 +174,6 @@ class HarmonicInSpace final : public CoordinatesInDouble<HarmonicInSpace>,
         "not to 1: the cage overlaps itself, or is too thin there; make one surface of it (a union), or take "
         "mean_value",
         name_, element, sum));
-  }
-
-  // The single layer of the pieces' corners.
-  template <Scalar R>
-  CoordinateTable<R> layers_at(std::span<const Vec3<R>> points, int order) const {
-    const SurfaceLayer<R>& layer = *prepared<R>().layer;
-    CoordinateTable<R> found = layer.table(points.size(), order);
-    std::vector<Vec3<R>> in_frame;
-    bool touches = false;
-    for (const Vec3<R>& point : points) {
-      in_frame.push_back(surface_.in_frame<R>(point));
-      touches = touches || (order > 0 && !touching(green_.elements(), point).empty());
-    }
-    // Values are continuous across the cage.
-    if (!touches) {
-      layer.add(in_frame, order, found);
-      return found;
-    }
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      CoordinateTable<R> one = layer.table(1, order);
-      const std::vector<Touching> on = touching(green_.elements(), points[p]);
-      if (on.empty()) layer.add(std::span(&in_frame[p], 1), order, one);
-      else layer.add_on(in_frame[p], on, order, one);
-      for (int o = 0; o <= order; ++o) std::ranges::copy(one.tensors[o], &found.tensors[o][p * found.stride[o]]);
-    }
-    return found;
   }
 
   template <Scalar R>
@@ -285,11 +229,7 @@ std::shared_ptr<const PreparedCoordinates> prepare_harmonic_in_space(const Cage&
 }
 
 std::string why_too_large_in_space(const Cage& cage) {
-  const std::size_t unknowns =
-      cage.parts(false, Triangulation::Shortest).elements.size() * densities_a_piece * (1 << (2 * default_level));
-  if (unknowns <= RefinedSurface::most_unknowns) return "";
-  return fmt::format("its triangles have {} unknowns at level {}, more than {}; take a lower level", unknowns,
-                     default_level, RefinedSurface::most_unknowns);
+  return why_too_many_unknowns(cage, densities_a_piece, default_level);
 }
 
 }  // namespace cageproof::solved
