@@ -138,7 +138,7 @@ void add_bench(CommandLine& line, const std::string& command_line) {
   Command command = line.command("bench", "work-precision: time and error of evaluations side by side");
   auto a = std::make_shared<Arguments>();
   a->command_line = command_line;
-  Command what = command.exactly_one_of("What is measured");
+  Command what = command.exactly_one_of("Subject");
   const Option kind =
       what.option("--kind", a->kind, "cage coordinates: mean_value, green, biharmonic_boundary ...").taking("KIND");
   const Option formula = what.option("--formula", a->formula, "one formula of the catalogue").taking("FORMULA");

@@ -274,7 +274,7 @@ void add_coordinates(CommandLine& line) {
               "the kind has it, else as recommended")
       .taking("EVALUATION");
   command.option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians").in_range(0, 2).showing_default();
-  command.heading("What is written");
+  command.heading("Output");
   command
       .option("--out", a->out,
               ".npz (named arrays with the cage, its elements and normals), .csv or .npy (points x columns, and "

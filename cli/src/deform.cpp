@@ -367,7 +367,7 @@ void add_deform(CommandLine& line) {
       .option("--laplacian-derivatives", a->data.laplacian_derivatives,
               "the same, one line per triangle or segment: densities of biharmonic_direct")
       .taking("FILE");
-  command.heading("What is written");
+  command.heading("Output");
   command
       .option("--out", a->out,
               ".obj, .ply, .stl, .svg, .vtp, .csv or .npy, with {n} or {n:03d} for the number of the map; or all maps "

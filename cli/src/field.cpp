@@ -227,7 +227,7 @@ void add_field(CommandLine& line, const std::string& command_line) {
   Command command = line.command("field", "the error field of one evaluation, as VTK file and picture");
   auto a = std::make_shared<Arguments>();
   a->command_line = command_line;
-  Command what = command.exactly_one_of("What is shown");
+  Command what = command.exactly_one_of("Subject");
   const Option formula =
       what.option("--formula", a->formula, "relative error of a formula of the catalogue").taking("FORMULA");
   Option kind = what.option("--kind", a->kind, "partition of unity of a kind of cage coordinates").taking("KIND");

@@ -115,7 +115,7 @@ void add_inside(CommandLine& line) {
       "take faces that are no cage: open, turned over, overlapping; inside is where they wind around the point "
       "by more than a half");
   command.flag("--keep-quads", a->keep_quads, "quads stay bilinear surfaces");
-  command.heading("What is written");
+  command.heading("Output");
   command
       .option(
           "--out", a->out,

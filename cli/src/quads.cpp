@@ -55,7 +55,7 @@ void add_quads(CommandLine& line) {
   a->cage.allow_invalid_quads = true;
   command.heading("The cage");
   a->cage.add_to(command, true);
-  command.heading("What is written");
+  command.heading("Output");
   command
       .option("--out", a->out,
               ".csv: a line per quad with its number and line in the file, whether it is planar, whether it is valid, "

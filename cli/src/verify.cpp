@@ -150,7 +150,7 @@ void add_verify(CommandLine& line, const std::string& command_line) {
   auto a = std::make_shared<Arguments>();
   a->options.command_line = command_line;
   a->command = command;
-  command.heading("What is asked");
+  command.heading("Questions");
   command.option("--formulas,--formula", a->options.formulas, "which, names and globs with commas between")
       .taking("FORMULAS")
       .showing_default();
@@ -184,7 +184,7 @@ void add_verify(CommandLine& line, const std::string& command_line) {
       .one_of({suites.begin(), suites.end()})
       .showing_default();
   command.option("--seed", a->options.seed, "64-bit seed of all samples").showing_default();
-  command.heading("What is written");
+  command.heading("Output");
   const Option out = command.option("--out", a->out, "the report's folder").taking("FOLDER").showing_default();
   command
       .option("--timings", a->timings,

@@ -21,7 +21,7 @@ refuses_to version "unexpected 'list'" -- list
 # Options stand under headings, required choices first, each option once.
 "$cageproof" help deform >deform.txt
 [ "$(sed -n '2s/ --cage.*//p;4p;5s/  *CAGE .*//p' deform.txt)" = "$(printf '%s\n' 'Usage: cageproof deform (--posed CAGE | --constraints FILE)' 'The pose: exactly one of these:' '  --posed')" ] || fail "help deform: $(head -n 5 deform.txt)"
-[ "$(grep -x '[A-Z][^.]*:' deform.txt | tr '\n' ' ')" = 'The pose: exactly one of these: Cage and points: Method: What is written: Running: Other options: Examples: ' ] ||
+[ "$(grep -x '[A-Z][^.]*:' deform.txt | tr '\n' ' ')" = 'The pose: exactly one of these: Cage and points: Method: Output: Running: Other options: Examples: ' ] ||
   fail "headings of deform: $(grep -x '[A-Z].*:' deform.txt)"
 for command in list coordinates deform verify field bench; do
   "$cageproof" help $command | grep -oE '^  (-h,)?--[a-z,-]+' | sort | uniq -d | grep . && fail "help $command has options twice"

@@ -8,18 +8,18 @@
 
 namespace cageproof::deformation {
 
-/// Of stretched_normals(): each row takes the vertices of its element. Exact to rounding; of rest triangles whose edges
-/// are next to in line in 50 digits, as the normals are.
-/// \throws InputError, naming the element, where a posed element has no area or length and its normal no derivative
+/// Slopes of stretched_normals(): each row takes the vertices of its element. Exact to rounding; of rest triangles
+/// whose edges are next to in line in 50 digits, as the normals are. \throws InputError, naming the element, where a
+/// posed element has no area or length and its normal no derivative
 template <Scalar R>
 RowSlopes<R> stretched_normal_slopes(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices);
 
-/// Of quad_normals(), which are rows `row` to `row + 3`, added to the others.
+/// Slopes of quad_normals(), which are rows `row` to `row + 3`, added to the others.
 template <Scalar R>
 void add_quad_normal_slopes(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices,
                             std::size_t element, std::size_t row, RowSlopes<R>& slopes);
 
-/// Of corner_normals(), whose rows take all vertices around their own.
+/// Slopes of corner_normals(), whose rows take all vertices around their own.
 template <Scalar R>
 RowSlopes<R> corner_normal_slopes(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What quad_normals.cpp finds, differentiated under the integrals.
+// Normals of bilinear quads, differentiated under the integrals.
 #include "normal_slopes.h"
 #include "quad_normals.h"
 #include "stretch_slopes.h"

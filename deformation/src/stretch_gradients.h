@@ -10,8 +10,8 @@
 
 namespace cageproof::deformation {
 
-/// Of stretch_of(), one per corner of the element, the rest zero. \throws InputError, naming the element, where it has
-/// none
+/// Slopes of stretch_of(), one per corner of the element, the rest zero. \throws InputError, naming the element, where
+/// it has none
 template <Scalar R>
 std::array<Vec3<R>, 4> stretch_gradients(Stretch stretch, const CageElements& rest,
                                          const std::vector<Vec3<R>>& vertices, const NormalPlace& at);

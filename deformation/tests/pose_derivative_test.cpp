@@ -90,7 +90,7 @@ TEST(pose_derivative, differences_in_50_digits) {
       const auto deformer = prepared_with(c.cage, s);
       const auto wide = prepared_with<Mp50>(c.cage, s);
       const std::vector<Vec> change = some_change(c);
-      // What is left out is of order h^4, what is rounded 1e-50/h.
+      // The truncation error is of order h^4, the rounding error 1e-50/h.
       const std::vector<double> truth = differences<Mp50>(c, *wide, change, Mp50(1e-8));
       const double error = largest_difference(along(c, *deformer, *derivative_of(c, s, *deformer), change), truth);
       RecordProperty(c.name + ' ' + s.text(), std::to_string(error));

@@ -40,7 +40,7 @@ struct Deformer::Prepared {
     if (digits < 3 || digits > 12) throw InputError(fmt::format("digits: {} is not from 3 to 12", digits));
   }
 
-  // Of the pose; found when it is asked for first.
+  // The pose derivative is found when it is asked for first.
   const deformation::PoseDerivative<double>& derivative() {
     const std::lock_guard lock(finding);
     if (!posed) throw InputError("derivatives of images are asked for before the cage has a pose");

@@ -252,7 +252,7 @@ TEST(deformers, by_constraints_keep_a_rigid_motion_of_an_ordinary_drawing) {
 }
 
 // One position leaves the turns about it free; a triangle has three vertices, and is asked for two. The biharmonic
-// layers of the frame have coefficients that change nothing inside: its hole's alone.
+// layers of the frame have coefficients that change nothing inside: only those of its hole.
 TEST(deformers, by_constraints_keep_their_promises_on_a_triangle_and_on_a_polygon_with_a_hole) {
   const Cage triangle = Cage::make_polygon("triangle", {{0, 0, 0}, {1, 0, 0}, {.3, .8, 0}},
                                            {{{0, 1, -1, -1}}, {{1, 2, -1, -1}}, {{2, 0, -1, -1}}}, {});

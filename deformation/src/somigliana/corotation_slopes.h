@@ -7,7 +7,7 @@
 
 namespace cageproof::deformation {
 
-/// Of corotation_of(), without bulging: gamma has no share here.
+/// The slope of corotation_of(), without bulging: gamma has no share here.
 template <Scalar R>
 class CorotationSlopes {
  public:

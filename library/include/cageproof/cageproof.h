@@ -107,7 +107,7 @@ class Coordinates {
   void apply(std::span<const double> points, std::span<const double> data, int functions, std::span<double> sums) const;
 
   /// The derivative of values by the vertices of the cage, for points that stay where they are, times a change of the
-  /// vertices: the change of the values. Kind green alone, in space and in the plane. NaN on edges and vertices.
+  /// vertices: the change of the values. Only for kind green, in space and in the plane. NaN on edges and vertices.
   /// \param change as many numbers as the cage's vertices \param values as of `evaluate`
   /// \throws InputError for other kinds, and spans of other sizes
   void jvp(std::span<const double> points, std::span<const double> change, std::span<double> values) const;

@@ -46,7 +46,7 @@ class CageSymmetries {
     Shares shares;
     double unit = 1;
     bool turned = false;
-    /// What it is a variant of, where that is not the base.
+    /// The cage that it is a variant of, where that is not the base.
     std::optional<CageCoordinates> of = {};
   };
   /// The base's elements, in four or two parts each.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the rounding of a pose's vertices moves images by, and what the images' own size is.
+// How far the rounding of a pose's vertices moves images, and how large images are.
 #pragma once
 
 #include "bent_images.h"

@@ -81,7 +81,7 @@ class BoundPoints {
   /// The images that images_of() gives: to the bit at the same order, and to rounding at a lower one, whose coordinates
   /// an evaluation may round otherwise. \pre the maps are made from the coordinates, and order <= order()
   PointImages images(std::span<const Posed<double>* const> maps, int order, int jobs) const;
-  /// What pulled_back() gives. \throws InputError as that
+  /// The result of pulled_back(). \throws InputError as that
   std::vector<Vec3<double>> pulled_back(const PoseDerivative<double>& derivative, std::span<const double> weights,
                                         int jobs) const;
 
