@@ -26,11 +26,11 @@ and `./test`.
 The command works in `build/mutants` and never changes sources. A seed draws 420 places in the code that computes results, and 100 in the code that judges and
 shows them. `scripts/mutants/scope.py` names the files that are left out, with reasons, and `scripts/mutants/operators.py` the kinds of changes.
 
-* `verify` **catches** a mutant when a promise breaks, when it ends with an error, or when it takes longer than five times its usual time and 20 s.
+* `verify` **catches** a mutant when a promise breaks, when it ends with an error, or when it takes far longer than usual.
 * Tests **catch** a mutant when a suite fails, crashes or takes that long, also only in a build with sanitizers, which CI runs.
-* A mutant is **open** until both detectors have caught it or have run all parts that reach it. Open mutants count in no share.
+* A mutant is **open**, and counts in no share, until both detectors have caught it or have run all parts that reach it.
 * A mutant is **unreached** if no part of either detector runs the changed place.
-* A mutant is **equivalent** if nothing caught it and it provably changes no promised result. At most a tenth of the mutants may be equivalent.
+* A mutant is **equivalent** if nothing caught it and it provably changes no promised result. At most a tenth may be.
 
 Places that only the compiler evaluates do not count. Neither do mutants of code that was removed because the mutant showed that it was useless or wrong.
 """
