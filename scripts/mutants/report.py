@@ -23,21 +23,16 @@ and `./test`.
     scripts/mutate --only closed_form --sample 9 # nine mutants of one room, drawn evenly from its files
     scripts/mutate report                        # only writes this page, from the last campaign
 
-The command works in `build/mutants` and never changes sources. One build holds all mutants, and the environment variable `CAGEPROOF_MUTANT` turns one on. A
-seed draws 420 places in the code that computes results (`closed_form`, `fast`, `adaptive_qmvc`, `quadrature_ref`, parts of `core`). It draws 100 places in
-`validation`, `reports`, `cli`, `deformation` and `solved`. `scripts/mutants/scope.py` names the files that are left out, with reasons, and
-`scripts/mutants/operators.py` the kinds of changes.
+The command works in `build/mutants` and never changes sources. A seed draws 420 places in the code that computes results, and 100 in the code that judges and
+shows them. `scripts/mutants/scope.py` names the files that are left out, with reasons, and `scripts/mutants/operators.py` the kinds of changes.
 
-* `verify` **catches** a mutant when a promise breaks, when it ends with an error, or when it takes longer than five times its usual time and 20 s.
-* Tests **catch** a mutant when a suite fails, crashes or takes that long. A skipped suite catches nothing.
-* Each detector runs only the parts that reach the changed place, the quickest first, until one fails.
-* A mutant is **open** until both detectors have caught it or have run all parts that reach it. Open mutants count in no share.
+* `verify` **catches** a mutant when a promise breaks, when it ends with an error, or when it takes far longer than usual.
+* Tests **catch** a mutant when a suite fails, crashes or takes that long, also only in a build with sanitizers, which CI runs.
+* A mutant is **open**, and counts in no share, until both detectors have caught it or have run all parts that reach it.
 * A mutant is **unreached** if no part of either detector runs the changed place.
-* A mutant is **equivalent** if nothing caught it and it provably changes no promised result. At most a tenth of the mutants may be equivalent.
-* Places that only the compiler evaluates do not count. Neither do mutants of code that was removed because the mutant showed that it was useless or wrong.
+* A mutant is **equivalent** if nothing caught it and it provably changes no promised result. At most a tenth may be.
 
-Some mutants read beyond an array's end without an effect in a release build. They count as caught by tests if a test fails in a build with sanitizers,
-because CI also runs those. A new test for a survivor is added to the copy in `build/mutants/src` and built there; then `--resume` tries it.
+Places that only the compiler evaluates do not count. Neither do mutants of code that was removed because the mutant showed that it was useless or wrong.
 """
 
 OUTCOMES = ["verify only", "tests only", "both", "neither", "unreached", "equivalent", "open"]
