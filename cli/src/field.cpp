@@ -250,13 +250,19 @@ void add_field(CommandLine& line, const std::string& command_line) {
   command.option("--order", a->order, "0 value, 1 gradient, 2 Hessian").in_range(0, 2).showing_default().excludes(kind);
   command.option("--parameter", a->parameters, "mu=..., nu=... of a kind").excludes(formula);
   kind.needs(a->cage.add_to(command, false));
-  command.option("--resolution", a->resolution, "samples a side").in_range(2, 4096);
+  command
+      .option("--resolution", a->resolution,
+              "samples per side; default: 64, for a formula 160, for --coordinate 128, for --compare up to 32, fewer for "
+              "slow evaluations")
+      .in_range(2, 4096);
   a->judge.add_to(command);
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
   command.option("--colours", a->colours, "LOW HIGH: the same colours in every run; without, the field's own range")
       .values(2)
       .excludes(compare);
   command.option("--out", a->out, "a folder for the field, its picture and a summary").taking("FOLDER").required();
+  command.example("cageproof field --kind green --cage cube --compare gauss-8,hybrid --resolution 8 --out errors");
+  command.example("cageproof field --formula triangle.double_layer --evaluation plain --out slice");
   command.runs([a] { return run(*a); });
 }
 

@@ -96,12 +96,20 @@ void judge_formulas(judge::Certificate& c, const std::shared_ptr<judge::ForeignC
   }
 }
 
+// A question that holds a whole cage has thousands of characters.
+std::string shortened(const std::string& input) {
+  constexpr std::size_t most = 400, shown = 160;
+  if (input.size() <= most) return input;
+  return fmt::format("{} ... {} ({} characters; --inputs prints all, and --out writes them)", input.substr(0, shown),
+                     input.substr(input.size() - shown), input.size());
+}
+
 void print(const judge::Certificate& c, const Arguments& a) {
   for (const judge::CodeFinding& finding : c.findings) {
     std::string text = fmt::format("{}{}", finding.is_defect ? "DEFECT " : "remark ", finding.kind);
     if (!finding.formula.empty()) text += fmt::format(", {}, order {}", finding.formula, finding.order);
     fmt::print("{}: {}{}\n", text, finding.text, finding.count > 1 ? fmt::format(" ({} times)", finding.count) : "");
-    if (!finding.input.empty()) fmt::print("  {}\n", finding.input);
+    if (!finding.input.empty()) fmt::print("  {}\n", a.inputs ? finding.input : shortened(finding.input));
   }
   if (c.skipped > 0) fmt::print("{} inputs were not asked, because it hung or died too often\n", c.skipped);
   if (c.promise)

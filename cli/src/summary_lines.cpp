@@ -15,6 +15,8 @@ std::vector<std::string> lines_of(const validation::CoordinateSummary& s, const 
                                   const Cage& cage) {
   std::vector<std::string> lines{fmt::format("{}: {} inside, {} on and {} outside {}", points_of(s.points), s.inside,
                                              s.on, s.outside, cage.name())};
+  if (cage.name().ends_with(".svg") && s.inside + s.on == 0)
+    lines.emplace_back("an SVG's y axis is flipped: points from the same drawing need minus its y");
   if (s.reproduces && s.missing + s.infinite < s.points)
     lines.push_back(fmt::format(
         "largest residual: partition of unity {:.2g} (point {}), linear reproduction {:.2g} cage sizes (point {})",

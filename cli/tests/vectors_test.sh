@@ -36,7 +36,7 @@ END
 }
 wrong 'a threshold on volumes' 'if volume == 0:' 'if abs(volume) < 1e-6:' height-threshold
 wrong 'half a jump in the plane' 'return [[angle_in_plane(e)]]' 'return [[2 * math.pi]]' half-in-plane
-wrong 'a determinant in floats' 'Fraction(s) - Fraction(t)' 'Fraction(s - t)' cancellation
+wrong 'a determinant in floats' 'Fraction(s) - Fraction(t) for' 'Fraction(s - t) for' cancellation
 
 # A gradient that is returned is checked, too: zero is no vector's.
 sed '0,/return \[\[2 \* /s//return [[0.0] * 3][:0] + [[2 * /; s/, below)\]\]$/, below)], [0.0, 0.0, 0.0]]/' "$checkers/check.py" >gradient.py
@@ -56,9 +56,54 @@ cc -std=c99 -O1 wrong.c -lm -o wrong && ./wrong one/triangle.solid_angle.txt >st
 sed 's/if (volume === 0n) return/if (volume < 10n ** 30n) return/' "$checkers/check.js" >wrong.js
 node wrong.js $vectors >stdout
 [ $? -eq 1 ] || fail "JavaScript: a threshold on volumes passes: $(cat stdout)"
-for refused in "./check nothing.txt" "./check $vectors" "node $checkers/check.js nothing.json"; do
+
+# Damaged files are refused by all three, and so are bounds that are no numbers, and files of another formula.
+/usr/bin/python3 - $vectors one/triangle.solid_angle.txt <<'END' || fail "damaged files could not be written"
+import json
+import sys
+data = json.load(open(sys.argv[1]))
+first = data["vectors"][0]
+damaged = {"list": [], "null": None, "number": data | {"vectors": 5}, "numbers": data | {"vectors": [1]}, "empty": data | {"vectors": [{}]},
+           "none": data | {"vectors": []}, "bound": data | {"bound": "x"}, "unit": {k: v for k, v in data.items() if k != "unit"},
+           "other": data | {"formula": "triangle.single_layer"}}
+for name, change in {"hexadecimal": {"point": ["zz", "0x0p+0", "0x0p+0"]}, "large": {"point": ["0x1p+5000"] * 3}, "decimal": {"value": ["abc"]}}.items():
+    damaged[name] = data | {"vectors": [first | change]}
+for key in ("value", "defects"):
+    damaged["without_" + key] = data | {"vectors": [{k: v for k, v in first.items() if k != key}]}
+for name, content in damaged.items():
+    json.dump(content, open(f"damaged_{name}.json", "w"))
+text = open(sys.argv[2]).read().splitlines(keepends=True)
+head = text[0].split()
+for name, lines in {"fewer": [" ".join([head[0], "10", *head[2:]]) + "\n", *text[1:]], "inputs": [" ".join([*head[:2], "3", head[3]]) + "\n", *text[1:]],
+                    "long": [text[0], text[1].rstrip("\n") + " 1" * 9000 + "\n", *text[2:]], "nan": [text[0], " ".join([text[1].split()[0], "nan", *text[1].split()[2:]]) + "\n", *text[2:]],
+                    "other": [text[0].replace("solid_angle", "single_layer"), *text[1:]], "cut": text[:-1]}.items():
+    assert lines != text, name
+    open(f"damaged_{name}.txt", "w").writelines(lines)
+END
+for refused in "./check nothing.txt" "./check $vectors" "./check one/triangle.solid_angle.txt abc" "/usr/bin/python3 $checkers/check.py $vectors abc" \
+  "node $checkers/check.js $vectors abc" "node $checkers/check.js nothing.json"; do
   $refused >stdout 2>stderr
   [ $? -eq 2 ] && grep -q 'cannot read vectors' stderr || fail "$refused: $(cat stdout stderr)"
+done
+for file in damaged_*.json; do
+  for checker in "/usr/bin/python3 $checkers/check.py" "node $checkers/check.js"; do
+    $checker "$file" >stdout 2>stderr
+    [ $? -eq 2 ] && grep -q 'cannot read vectors' stderr || fail "$checker $file: $(cat stdout stderr)"
+  done
+done
+for file in damaged_*.txt; do
+  ./check "$file" >stdout 2>stderr
+  [ $? -eq 2 ] && grep -q 'cannot read vectors' stderr || fail "C, $file: $(cat stdout stderr)"
+done
+
+# A function that answers nothing, or throws, passes nothing.
+sed 's/^    e = \[\[Fraction/    return []\n&/' "$checkers/check.py" >silent.py
+sed 's/^    e = \[\[Fraction/    raise TypeError\n&/' "$checkers/check.py" >thrown.py
+sed 's/^  const e = exactDifferences/  return []\n&/' "$checkers/check.js" >silent.js
+sed 's/^  const e = exactDifferences/  throw 1\n&/' "$checkers/check.js" >thrown.js
+for without in "/usr/bin/python3 silent.py" "/usr/bin/python3 thrown.py" "node silent.js" "node thrown.js"; do
+  $without $vectors >stdout 2>stderr
+  [ $? -eq 1 ] && grep -q '^all: 0 of ' stdout || fail "$without: $(cat stdout stderr)"
 done
 
 # Truths are those of the integral in 50 digits.

@@ -4,12 +4,14 @@
  *     cc -std=c99 -O1 check.c -lm -o check
  *     ./check vectors/triangle.solid_angle.txt [BOUND]
  *
- * Replace `function`. Exit 0: all vectors within BOUND conditioned units (64); 1: not all; 2: the file cannot be read. */
+ * Replace `function`, and FORMULA. Exit 0: all vectors within BOUND conditioned units (64); 1: not all; 2: the file cannot be read. */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#define FORMULA "triangle.solid_angle" /* of your function */
 
 enum { most_numbers = 64, most_flags = 64, longest_line = 8192, most_terms = 256 };
 
@@ -148,12 +150,12 @@ static void count(struct tally* tallies, const char* flag, int passes) {
   ++tallies[i].asked;
 }
 
-/* Reads `count` numbers. \return the text behind them; null where one is missing */
+/* Reads `count` finite numbers. \return the text behind them; null where one is missing */
 static char* read_numbers(char* text, int count, double* to) {
   for (int i = 0; i < count && text; ++i) {
     char* end = text;
     to[i] = strtod(text, &end);
-    text = end == text ? NULL : end;
+    text = end == text || !isfinite(to[i]) ? NULL : end;
   }
   return text;
 }
@@ -170,13 +172,17 @@ int main(int argc, char** argv) {
   int vectors = 0, inputs = 0, components = 0, passed = 0, worst_vector = -1;
   double worst = -1;
   if (argc < 2) return fail("no file", "none was named");
-  const double bound = argc > 2 ? atof(argv[2]) : 64;
+  char* rest = NULL;
+  const double bound = argc > 2 ? strtod(argv[2], &rest) : 64;
+  if (rest && (rest == argv[2] || *rest)) return fail(argv[1], "BOUND is not a number");
+  if (!(bound > 0 && bound < HUGE_VAL)) return fail(argv[1], "BOUND is not a positive number");
   FILE* file = fopen(argv[1], "r");
   if (!file) return fail(argv[1], strerror(errno));
   if (!fgets(line, sizeof line, file) || sscanf(line, "%127s %d %d %d", name, &vectors, &inputs, &components) != 4)
     return fail(argv[1], "line 1 is not FORMULA VECTORS INPUTS NUMBERS");
   if (vectors < 1 || inputs < 1 || components < 1 || inputs > most_numbers || components > most_numbers)
     return fail(argv[1], "line 1 has no vectors, or too many numbers");
+  if (strcmp(name, FORMULA) != 0) return fail(argv[1], "it is not of FORMULA, which the function is of");
   for (int v = 0; v < vectors; ++v) {
     double in[most_numbers], truth[2 * most_numbers], found[most_numbers], denominator, square = 0;
     if (!fgets(line, sizeof line, file)) return fail(argv[1], "it ends before its last vector");
@@ -185,7 +191,7 @@ int main(int argc, char** argv) {
     char* const inputs_end = end;
     if (end) end = read_numbers(end, 2 * components, truth);
     if (end) end = read_numbers(end, 1, &denominator);
-    if (!end) return fail(argv[1], "a line has too few numbers");
+    if (!end || strcmp(end, "\n") != 0) return fail(argv[1], "a line has not as many finite numbers as line 1 says");
     function(in, found);
     for (int i = 0; i < components; ++i) {
       const double off = ((found[i] - truth[2 * i]) - truth[2 * i + 1]) / denominator / 0x1p-53;
@@ -203,6 +209,7 @@ int main(int argc, char** argv) {
       strcpy(worst_line, numbers + 1);
     }
   }
+  if (fgets(line, sizeof line, file)) return fail(argv[1], "it goes on after its last vector");
   fclose(file);
   for (int i = 0; i < most_flags && tallies[i].asked > 0; ++i)
     printf("%s: %d of %d within %g units\n", tallies[i].flag, tallies[i].passed, tallies[i].asked, bound);

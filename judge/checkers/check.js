@@ -3,9 +3,11 @@
 // Checks one function against vectors of `cageproof vectors`; node, or any JavaScript that reads files, is enough.
 //
 // usage: node check.js VECTORS.json [BOUND]
-// Replace `tensors`. Exit 0: all vectors within BOUND conditioned units (64); 1: not all; 2: the file cannot be read.
+// Replace `tensors`, and FORMULA. Exit 0: all vectors within BOUND conditioned units (64); 1: not all; 2: the file cannot be read.
 'use strict'
 const fs = require('fs')
+
+const FORMULA = 'triangle.solid_angle' // the formula of your function
 
 // Yours. Here: the value of triangle.solid_angle. Takes lists of numbers. Returns [value], [value, gradient] or [value, gradient, Hessian], each a list of
 // numbers in the catalogue's order; those that it returns are checked.
@@ -86,7 +88,9 @@ function ratio(a, b) {
 
 // A decimal number as [numerator, denominator].
 function decimal(text) {
-  const [, sign, whole, fraction = '', power = '0'] = /^(-?)(\d+)(?:\.(\d+))?(?:[eE]([-+]?\d+))?$/.exec(text)
+  const match = /^(-?)(\d+)(?:\.(\d+))?(?:[eE]([-+]?\d+))?$/.exec(text)
+  if (!match) throw new Error(`'${text}' is no decimal number`)
+  const [, sign, whole, fraction = '', power = '0'] = match
   const exponent = Number(power) - fraction.length
   const digits = BigInt(sign + whole + fraction)
   return exponent >= 0 ? [digits * 10n ** BigInt(exponent), 1n] : [digits, 10n ** BigInt(-exponent)]
@@ -94,21 +98,24 @@ function decimal(text) {
 
 // "0x1.8p-3" as a double.
 function hexadecimal(text) {
-  const [, sign, whole, fraction = '', power] = /^(-?)0x([0-9a-f]+)(?:\.([0-9a-f]*))?p([-+]?\d+)$/i.exec(text)
+  const match = /^(-?)0x([0-9a-f]+)(?:\.([0-9a-f]*))?p([-+]?\d+)$/i.exec(text)
+  if (!match) throw new Error(`'${text}' is no hexadecimal number`)
+  const [, sign, whole, fraction = '', power] = match
   const digits = BigInt(`0x${whole}${fraction}`)
   const exponent = Number(power) - 4 * fraction.length
   const value = exponent >= 0 ? ratio(digits << BigInt(exponent), 1n) : ratio(digits, 1n << BigInt(-exponent))
+  if (!Number.isFinite(value)) throw new Error(`'${text}' is beyond doubles`)
   return sign ? -value : value
 }
 
 // The error over the conditioned denominator, in roundings. Differences from the truth are exact.
 function units(found, truth, denominator, unit) {
   if (found.length !== truth.length || !found.every(Number.isFinite)) return Infinity
-  const [below, scale] = decimal(denominator)
+  const [below, scale] = denominator
   const parts = found.map((x, i) => {
     const [mantissa, exponent] = exact(x)
     const [a, b] = exponent >= 0 ? [mantissa << BigInt(exponent), 1n] : [mantissa, 1n << BigInt(-exponent)]
-    const [c, d] = decimal(truth[i])
+    const [c, d] = truth[i]
     const off = a * d - c * b
     if (off === 0n) return 0
     return below === 0n ? Infinity : ratio(off * scale, b * d * below)
@@ -116,29 +123,50 @@ function units(found, truth, denominator, unit) {
   return Math.hypot(...parts) / unit
 }
 
+// The file's vectors with numbers for texts: inputs of the function, truths with their denominators by order, flags.
+function vectorsOf(data) {
+  const keys = ['value', 'gradient', 'hessian']
+  const numbers = (list) => list.map(hexadecimal)
+  if (!data.vectors.length) throw new Error('the file has no vectors')
+  return data.vectors.map((v) => {
+    if (!v.value || !Array.isArray(v.defects)) throw new Error('a vector has no value, or no list of defects')
+    return {
+      inputs: [v.element.map(numbers), numbers(v.point), numbers(v.parameters)],
+      truths: keys.filter((key) => key in v).map((key) => [v[key].map(decimal), decimal(v[`${key}_denominator`])]),
+      flags: v.defects,
+    }
+  })
+}
+
+// Of the tensors that the function returns; infinite where it fails.
+function worstError(inputs, truths, unit) {
+  try {
+    const found = tensors(...inputs).slice(0, truths.length)
+    return found.length ? Math.max(...found.map((tensor, order) => units(tensor, ...truths[order], unit))) : Infinity
+  } catch {
+    return Infinity // yours: whatever it throws, it has no answer
+  }
+}
+
 function main() {
-  let data, bound
+  let data, bound, unit, vectors
   try {
     data = JSON.parse(fs.readFileSync(process.argv[2], 'ascii'))
     bound = process.argv.length > 3 ? Number(process.argv[3]) : data.bound
-    if (!Array.isArray(data.vectors) || !data.vectors.length) throw new Error('the file has no vectors')
+    unit = hexadecimal(data.unit)
+    vectors = vectorsOf(data)
+    if (!(bound > 0 && bound < Infinity)) throw new Error('BOUND is not a positive number')
+    if (data.formula !== FORMULA) throw new Error(`it has ${data.formula}, and the function is of ${FORMULA}`)
   } catch (error) {
     console.error(`check.js: cannot read vectors: ${error.message}; usage: node check.js VECTORS.json [BOUND]`)
     return 2
   }
-  const keys = ['value', 'gradient', 'hessian']
   const tally = new Map()
   let worst = -1, at = null
-  data.vectors.forEach((vector, number) => {
-    const numbers = (list) => list.map(hexadecimal)
-    const found = tensors(vector.element.map(numbers), numbers(vector.point), numbers(vector.parameters))
-    let error = 0
-    found.forEach((tensor, order) => {
-      if (!(keys[order] in vector)) return
-      error = Math.max(error, units(tensor, vector[keys[order]], vector[`${keys[order]}_denominator`], hexadecimal(data.unit)))
-    })
+  vectors.forEach(({ inputs, truths, flags }, number) => {
+    const error = worstError(inputs, truths, unit)
     if (error > worst) [worst, at] = [error, number]
-    for (const flag of [...vector.defects, 'all']) {
+    for (const flag of [...flags, 'all']) {
       const [passed, asked] = tally.get(flag) ?? [0, 0]
       tally.set(flag, [passed + (error <= bound ? 1 : 0), asked + 1])
     }

@@ -3,11 +3,13 @@
 """Checks one function against vectors of `cageproof vectors`; the standard library is enough.
 
 usage: check.py VECTORS.json [BOUND]
-Replace `tensors`. Exit 0: all vectors within BOUND conditioned units (64); 1: not all; 2: the file cannot be read."""
+Replace `tensors`, and FORMULA. Exit 0: all vectors within BOUND conditioned units (64); 1: not all; 2: the file cannot be read."""
 import json
 import math
 import sys
 from fractions import Fraction
+
+FORMULA = "triangle.solid_angle"  # the formula of your function
 
 
 def tensors(element, point, parameters):
@@ -59,43 +61,65 @@ def units(found, truth, denominator, unit):
     """The error over the conditioned denominator, in roundings; exact but for one square root."""
     if len(found) != len(truth) or not all(math.isfinite(f) for f in found):
         return math.inf
-    square = sum((Fraction(f) - Fraction(t)) ** 2 for f, t in zip(found, truth))
+    square = sum((Fraction(f) - t) ** 2 for f, t in zip(found, truth))
     if square == 0:
         return 0.0
-    below = (Fraction(denominator) * Fraction(unit)) ** 2
+    below = (denominator * unit) ** 2
     return math.sqrt(square / below) if below and square / below < 10 ** 300 else math.inf
+
+
+def doubles(texts):
+    return [float.fromhex(t) for t in texts]
+
+
+def vectors_of(data):
+    """The file's vectors with numbers for texts: inputs of the function, [(truth, denominator)] by order, flags."""
+    vectors = []
+    for v in data["vectors"]:
+        truths = [([Fraction(t) for t in v[key]], Fraction(v[key + "_denominator"])) for key in ("value", "gradient", "hessian") if key in v]
+        if "value" not in v or not isinstance(v["defects"], list):
+            raise ValueError("a vector has no value, or no list of defects")
+        vectors.append((([doubles(c) for c in v["element"]], doubles(v["point"]), doubles(v["parameters"])), truths, v["defects"]))
+    if not vectors:
+        raise ValueError("the file has no vectors")
+    return vectors
+
+
+def worst_error(inputs, truths, unit):
+    """Of the tensors that the function returns; infinite where it fails."""
+    try:
+        found = tensors(*inputs)
+        return max(units(tensor, *truth, unit) for tensor, truth in zip(found, truths))
+    except Exception:  # yours: whatever it raises, it has no answer
+        return math.inf
 
 
 def main():
     try:
         with open(sys.argv[1], encoding="ascii") as file:
             data = json.load(file)
-        bound = float(sys.argv[2]) if len(sys.argv) > 2 else data["bound"]
-        vectors = data["vectors"]
-    except (IndexError, OSError, ValueError, KeyError) as e:
-        print(f"check.py: cannot read vectors: {e}; usage: check.py VECTORS.json [BOUND]", file=sys.stderr)
+        bound = float(sys.argv[2] if len(sys.argv) > 2 else data["bound"])
+        unit = Fraction(float.fromhex(data["unit"]))
+        vectors = vectors_of(data)
+        if not 0 < bound < math.inf:
+            raise ValueError("BOUND is not a positive number")
+        if data["formula"] != FORMULA:
+            raise ValueError(f"it has {data['formula']}, and the function is of {FORMULA}")
+    except (IndexError, OSError, ValueError, KeyError, TypeError, OverflowError, AttributeError) as e:
+        print(f"check.py: cannot read vectors: {e!r}; usage: check.py VECTORS.json [BOUND]", file=sys.stderr)
         return 2
     tally, worst = {}, (-1.0, None)
-    for number, vector in enumerate(vectors):
-        numbers = [[float.fromhex(t) for t in corner] for corner in vector["element"]]
-        point = [float.fromhex(t) for t in vector["point"]]
-        try:
-            found = tensors(numbers, point, [float.fromhex(t) for t in vector["parameters"]])
-        except (ArithmeticError, ValueError):
-            found = [[math.nan]]
-        error = max(units(tensor, vector[key], vector[key + "_denominator"], float.fromhex(data["unit"]))
-                    for key, tensor in zip(("value", "gradient", "hessian"), found) if key in vector)
+    for number, (inputs, truths, flags) in enumerate(vectors):
+        error = worst_error(inputs, truths, unit)
         if error > worst[0]:
             worst = (error, number)
-        for flag in vector["defects"] + ["all"]:
+        for flag in flags + ["all"]:
             passed, asked = tally.get(flag, (0, 0))
             tally[flag] = (passed + (error <= bound), asked + 1)
     for flag, (passed, asked) in sorted(tally.items()):
         print(f"{flag}: {passed} of {asked} within {bound:g} units")
-    if not vectors:
-        print("check.py: the file has no vectors", file=sys.stderr)
-        return 2
-    print(f"worst: {worst[0]:.3g} units, vector {worst[1]}: {json.dumps({k: vectors[worst[1]][k] for k in ('element', 'point')})}")
+    shown = {key: data["vectors"][worst[1]][key] for key in ("element", "point")}
+    print(f"worst: {worst[0]:.3g} units, vector {worst[1]}: {json.dumps(shown)}")
     return 0 if tally["all"][0] == tally["all"][1] else 1
 
 

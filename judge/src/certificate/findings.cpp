@@ -12,6 +12,13 @@ namespace {
 // Lengths whose powers leave the range of the scalar are there.
 bool is_of_range(const CampaignRow& row) { return row.regime == "scaled" || row.regime == "tiny"; }
 
+// The paragraphs of docs/defects.md that cure what is not finite there.
+std::string_view cure_of(std::string_view regime) {
+  if (regime.ends_with("-vertex")) return "; see docs/defects.md#nan_at_vertex";
+  if (regime.ends_with("-edge")) return "; see docs/defects.md#nan_at_edge, and docs/defects.md#log_next_to_edge";
+  return regime.ends_with("-face") ? "; see docs/defects.md#nan_at_face" : "";
+}
+
 void add_nonfinite(const SubjectCampaign& campaign, std::vector<CodeFinding>& found) {
   for (const CampaignRow& row : campaign.rows) {
     if (row.nonfinite == 0) continue;
@@ -19,7 +26,8 @@ void add_nonfinite(const SubjectCampaign& campaign, std::vector<CodeFinding>& fo
     found.push_back(
         {range ? "range" : "not finite",
          fmt::format("{}: NaN or infinite at {} of {} samples where the formula is finite{}", row.regime, row.nonfinite,
-                     row.samples, range ? " (the unit of length leaves the range of its intermediate results)" : ""),
+                     row.samples,
+                     range ? " (the unit of length leaves the range of its intermediate results)" : cure_of(row.regime)),
          campaign.subject, row.order, row.nonfinite_input, static_cast<std::uint64_t>(row.nonfinite), !range});
   }
 }

@@ -16,7 +16,7 @@ std::string times_text(const SubjectCampaign& campaign) {
   for (const PairTime& time : campaign.times)
     text += fmt::format("{}{} {} {:.0f} ns", text.empty() ? "" : ", ", time.evaluation, order_names[time.order],
                         time.nanoseconds);
-  return text;
+  return text.empty() ? "not measured, because an answer failed" : text;
 }
 
 // "1.2e-15", and "0" for none.

@@ -118,7 +118,7 @@ class CommandWorker final : public Worker {
 
   Fault late(double seconds) {
     return process_.fault(
-        "hang", fmt::format("no answer within {:g} s; a program must flush its output after each line", seconds));
+        "hang", fmt::format("no answer within {:g} s: it hangs, does not flush its output after each line, or needs more time (--seconds)", seconds));
   }
 
   std::size_t read_lines(std::size_t most, const std::function<void(std::string_view)>& take) {

@@ -202,7 +202,9 @@ Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, cons
         refuse(std::move(reason), method.name);
       continue;
     }
-    if (!has_points) continue;
+    const bool solves_in_space = kind.solves_on_samples && cage->dimension() == 3;
+    const auto elements = static_cast<int>(cage->parts(false, options.triangulation).elements.size());
+    if (!has_points || (solves_in_space && elements > options.solved_elements)) continue;
     std::vector<DeformerVariant> variants = variants_of(method);
     // All variants are asked on small cages; elsewhere every second one and the default. Kinds that keep quads have
     // layers that take several times as long, so all of their variants are asked only on the smallest cages.

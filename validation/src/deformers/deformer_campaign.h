@@ -15,6 +15,8 @@ struct DeformerCampaignOptions {
   int points = 12;     ///< inside the cage, for the maps that are kept
   int few_points = 2;  ///< of these, for derivatives and what takes 50 digits or quadrature; one on larger cages
   int jobs = 0;
+  /// Methods whose kind solves on samples in space are left out of cages with more elements: their kinds are, too.
+  int solved_elements = std::numeric_limits<int>::max();
   /// Told which method is prepared, where `refused` is given. Null: nobody.
   std::function<void(const std::string&)> doing = nullptr;
 };

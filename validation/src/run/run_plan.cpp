@@ -161,9 +161,10 @@ class Planner {
   void add_deformers(const std::shared_ptr<const Cage>& cage) {
     if (options_.formulas != "*") return;
     RefusedMethods refused;
-    Measurements found = deformer_measurements(
-        cage, {.triangulation = options_.triangulation, .seed = options_.seed, .doing = options_.doing},
-        options_.cage ? &refused : nullptr);
+    DeformerCampaignOptions campaign{.triangulation = options_.triangulation, .seed = options_.seed};
+    campaign.doing = options_.doing;
+    if (options_.cage) campaign.solved_elements = cage_options().solved_elements;
+    Measurements found = deformer_measurements(cage, campaign, options_.cage ? &refused : nullptr);
     doing("planning");
     if (found.empty() && interior_points(*cage, options_.triangulation, options_.seed, 1).empty())
       plan_.header.notes.push_back(fmt::format(
