@@ -71,7 +71,6 @@ std::vector<PanelPlan> elastic_panels(const std::vector<Vec3<double>>& posed, co
 }
 
 std::unique_ptr<const PaperFigure> bar_figure() {
-  const reports::FigureView view{{0.45, -1, 0.35}, {0, 0, 1}};
   const auto bent = bent_bar(100 * std::numbers::pi / 180, 1);
   DeformedPlan plan{.name = "bar",
                     .cage = std::make_shared<const Cage>(bar_cage()),
@@ -83,14 +82,14 @@ std::unique_ptr<const PaperFigure> bar_figure() {
                   .text = comparison_text(),
                   .columns = 5,
                   .panels = comparison_panels(bent),
-                  .view = view},
+                  .view = bar_view},
                  {.name = "t24-twist",
                   .heading = "Deformers compared: a twisted bar",
                   .source = "[T24] Figures 1, 2, 3 and 5, [C23] Figure 11",
                   .text = comparison_text(),
                   .columns = 5,
                   .panels = comparison_panels(twisted_bar_pose()),
-                  .view = view}};
+                  .view = bar_view}};
   return deformed_figure(std::move(plan));
 }
 

@@ -19,6 +19,10 @@ namespace {
 
 using deformation::Posed;
 
+// From there on a coordinate is shown as negative: more than the picture's rounding, and than what harmonic coordinates
+// err by.
+constexpr double negative_from = 0.01;
+
 // A map of a panel, and the owner of its coordinates.
 struct PanelMap {
   std::shared_ptr<const void> owner;
@@ -35,7 +39,11 @@ class DeformedFigure final : public PaperFigure {
   explicit DeformedFigure(DeformedPlan plan) : plan_(std::move(plan)) {
     for (const SheetPlan& sheet : plan_.sheets)
       for (const PanelPlan& panel : sheet.panels)
-        if (!panel.method.empty()) group_of(panel).push_back({&sheet, &panel});
+        if (!panel.method.empty()) {
+          if (!panel.compared_with.empty() && beside(sheet, panel) == nullptr)
+            throw std::invalid_argument("no panel " + panel.compared_with);
+          group_of(panel).push_back({&sheet, &panel});
+        }
   }
 
   std::string name() const override { return plan_.name; }
@@ -61,7 +69,11 @@ class DeformedFigure final : public PaperFigure {
           throw InputError(fmt::format("{}, {}: an image is not finite", plan_.name, shown[k].panel->title));
       const std::string key = key_of(*shown[k].sheet, *shown[k].panel);
       found[key].vertices = std::move(vertices);
-      if (shown[k].panel->posed.empty()) found[key + cage_suffix].vertices = maps[k].posed->vertices();
+      if (shown[k].panel->posed.empty()) {
+        // A map without a posed cage is shown in its cage at rest.
+        const std::vector<Vec3<double>> cage = maps[k].posed->vertices();
+        found[key + cage_suffix].vertices = cage.empty() ? cage_of(*shown[k].panel).vertices() : cage;
+      }
     }
     for (auto& [key, mesh] : found) mesh.name = key;
     return found;
@@ -72,7 +84,7 @@ class DeformedFigure final : public PaperFigure {
       return std::ranges::all_of(group.shown, [&](const Shown& one) {
         const std::string key = key_of(*one.sheet, *one.panel);
         return has(found, key, plan_.mesh.mesh.vertices.size()) &&
-               (!one.panel->posed.empty() || has(found, key + cage_suffix, plan_.cage->vertices().size()));
+               (!one.panel->posed.empty() || has(found, key + cage_suffix, cage_of(*one.panel).vertices().size()));
       });
     });
   }
@@ -114,6 +126,12 @@ class DeformedFigure final : public PaperFigure {
     return fmt::format("figure/{}/{}", sheet.name, panel.file);
   }
 
+  // The panel that one is compared with, or null.
+  static const PanelPlan* beside(const SheetPlan& sheet, const PanelPlan& panel) {
+    const auto other = std::ranges::find(sheet.panels, panel.compared_with, &PanelPlan::file);
+    return other != sheet.panels.end() && !other->method.empty() ? &*other : nullptr;
+  }
+
   const Cage& cage_of(const PanelPlan& panel) const { return panel.cage ? *panel.cage : *plan_.cage; }
 
   // Panels of one cage and kind of coordinates with the same parameters.
@@ -126,7 +144,7 @@ class DeformedFigure final : public PaperFigure {
       const auto& method = deformation::deform_method_named(panel.method);
       const auto known = parameters_of(method);
       const auto values = values_in(panel, known);
-      key = fmt::format("{} {}", cage_of(panel).name(), method.kind);
+      key = fmt::format("{} {} {}", cage_of(panel).name(), method.kind, panel.evaluation);
       const auto of_kind = parameters_of(coordinate_kind_named(method.kind));
       for (std::size_t i = 0; i < known.size(); ++i)
         if (decides_coordinates(method, known[i].name) ||
@@ -141,15 +159,17 @@ class DeformedFigure final : public PaperFigure {
   using Prepared = std::map<std::string, std::shared_ptr<const deformation::Deformer<double>>>;
   PanelMap map_of(const PanelPlan& panel, Prepared& prepared) const {
     if (const auto* constrained = deformation::find_constraint_method(panel.method)) {
-      const auto deformer = deformation::prepare_constrained(*constrained, cage_of(panel), panel.constraints,
-                                                             {.parameters = values_in(panel, constrained->parameters)});
+      const auto deformer = deformation::prepare_constrained(
+          *constrained, cage_of(panel), panel.constraints,
+          {.evaluation = panel.evaluation, .parameters = values_in(panel, constrained->parameters)});
       return {deformer, &deformer->coordinates(), deformer->pose()};
     }
     auto& deformer = prepared[fmt::format("{} {} {}", cage_of(panel).name(), panel.method, parameters_text(panel))];
     if (!deformer) {
       const auto& method = deformation::deform_method_named(panel.method);
-      deformer = deformation::prepare_deformer<double>(method, cage_of(panel),
-                                                       {.parameters = values_in(panel, parameters_of(method))});
+      deformer = deformation::prepare_deformer<double>(
+          method, cage_of(panel),
+          {.evaluation = panel.evaluation, .parameters = values_in(panel, parameters_of(method))});
     }
     return {deformer, &deformer->coordinates(), deformer->pose({panel.posed})};
   }
@@ -166,7 +186,7 @@ class DeformedFigure final : public PaperFigure {
     panel.file = plan.file;
     panel.flat = flat;
     panel.tones = plan_.mesh.tones;
-    panel.cage = plan.posed.empty() ? plan_.cage->vertices() : plan.posed;
+    panel.cage = plan.posed.empty() ? cage_of(plan).vertices() : plan.posed;
     panel.data.vertices = rest.vertices;
     panel.data.faces = rest.faces;
     panel.data.segments = rest.segments;
@@ -183,7 +203,11 @@ class DeformedFigure final : public PaperFigure {
     if (plan.posed.empty()) panel.cage = found.at(key + cage_suffix).vertices;
     for (const auto& position : plan.constraints.positions) panel.marks.push_back(position.to);
     panel.facts.insert(panel.facts.begin(), {{"method", plan.method}, {"parameters", parameters_text(plan)}});
+    if (!plan.evaluation.empty()) panel.facts.emplace_back("evaluation", plan.evaluation);
     measure(panel, rest);
+    const std::vector<Vec3<double>>* const other =
+        plan.compared_with.empty() ? nullptr : &found.at(key_of(sheet, *beside(sheet, plan))).vertices;
+    measure_more(panel, plan, other);
     return panel;
   }
 
@@ -217,6 +241,35 @@ class DeformedFigure final : public PaperFigure {
     const double off = asymmetry(rest.vertices, panel.data.vertices) / size;
     panel.measured.emplace_back("asymmetry over cage size", off);
     panel.note = fmt::format("{}asymmetry {:.1e}", content, off);
+  }
+
+  // Measures that plans ask for; the note states them in place of the displacement.
+  void measure_more(reports::FigurePanel& panel, const PanelPlan& plan, const std::vector<Vec3<double>>* other) const {
+    const Mesh& rest = plan_.mesh.mesh;
+    std::vector<std::string> notes;
+    const auto add = [&](const char* name, double value, std::string note) {
+      panel.measured.emplace_back(name, value);
+      notes.push_back(std::move(note));
+    };
+    if (other != nullptr) {
+      const double off = largest_distance(panel.data.vertices, *other) / plan_.cage->size();
+      panel.facts.emplace_back("compared with", plan.compared_with);
+      add("largest distance over cage size", off, fmt::format("off by {:.1e}", off));
+    }
+    if (plan_.measures_turns) {
+      const double turn = added_turn(rest.faces, rest.vertices, panel.data.vertices);
+      add("sharpest turn that is added in degrees", turn, fmt::format("turns by {:.0f}°", turn));
+    }
+    if (plan.step) {
+      const std::vector<double> shares = shares_of_step(rest.vertices, panel.data.vertices, *plan.step);
+      const double least = *std::ranges::min_element(shares);
+      add("least coordinate of moved vertices", least, fmt::format("least coordinate {:.1e}", least));
+      for (std::size_t f = 0; f < rest.faces.size(); ++f)
+        panel.tones[f] =
+            static_cast<char>(std::ranges::any_of(rest.faces[f], [&](int v) { return shares[v] < -negative_from; }));
+      panel.data.arrays.push_back({"moved_vertices", "", 1, shares});
+    }
+    if (!notes.empty()) panel.note = fmt::format("{}", fmt::join(notes, ", "));
   }
 
   DeformedPlan plan_;

@@ -8,6 +8,7 @@
 #include "cageproof/deformation/constrained.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,8 +25,15 @@ struct PanelPlan {
   std::vector<Vec3<double>> posed = {};       ///< the cage's vertices
   deformation::Constraints constraints = {};  ///< of methods that take them instead of a posed cage
   bool shows_diagonals = false;               ///< whether the cage's quads are drawn as triangles
-  /// In place of the figure's: with the same vertices, and other faces. Null for the figure's.
+  /// In place of the figure's; with other vertices only where constraints replace the posed cage. Null for the
+  /// figure's.
   std::shared_ptr<const Cage> cage = nullptr;
+  std::string evaluation = {};  ///< of the coordinates' formulas; empty for the recommended one
+  /// File of the panel, of the same sheet, that this one is compared with: how far images are from its own is measured.
+  std::string compared_with = {};
+  /// The step of those vertices of the cage that are moved, if all are moved by one step. Then their coordinates' sum
+  /// is measured, and faces where it is negative are dark.
+  std::optional<Vec3<double>> step = {};
 };
 
 /// A figure: some panels.
@@ -44,9 +52,12 @@ struct DeformedPlan {
   std::vector<SheetPlan> sheets;
   /// Whether cage, poses and mesh are symmetric in x, so that images should be: how far they are not is measured.
   bool is_symmetric = false;
+  /// Whether the sharpest turn between neighbouring faces that a map adds is measured.
+  bool measures_turns = false;
 };
 
 /// \throws InputError for a method or parameter that does not exist
+/// \throws std::invalid_argument for a panel compared with one that its sheet does not have
 std::unique_ptr<const PaperFigure> deformed_figure(DeformedPlan plan);
 
 }  // namespace cageproof::validation
