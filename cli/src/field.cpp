@@ -251,9 +251,10 @@ void add_field(CommandLine& line, const std::string& command_line) {
   command.option("--parameter", a->parameters, "mu=..., nu=... of a kind").excludes(formula);
   kind.needs(a->cage.add_to(command, false));
   command
-      .option("--resolution", a->resolution,
-              "samples per side; default: 64, for a formula 160, for --coordinate 128, for --compare up to 32, fewer for "
-              "slow evaluations")
+      .option(
+          "--resolution", a->resolution,
+          "samples per side; default: 64, for a formula 160, for --coordinate 128, for --compare up to 32, fewer for "
+          "slow evaluations")
       .in_range(2, 4096);
   a->judge.add_to(command);
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();

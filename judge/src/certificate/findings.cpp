@@ -23,12 +23,13 @@ void add_nonfinite(const SubjectCampaign& campaign, std::vector<CodeFinding>& fo
   for (const CampaignRow& row : campaign.rows) {
     if (row.nonfinite == 0) continue;
     const bool range = is_of_range(row);
-    found.push_back(
-        {range ? "range" : "not finite",
-         fmt::format("{}: NaN or infinite at {} of {} samples where the formula is finite{}", row.regime, row.nonfinite,
-                     row.samples,
-                     range ? " (the unit of length leaves the range of its intermediate results)" : cure_of(row.regime)),
-         campaign.subject, row.order, row.nonfinite_input, static_cast<std::uint64_t>(row.nonfinite), !range});
+    found.push_back({range ? "range" : "not finite",
+                     fmt::format("{}: NaN or infinite at {} of {} samples where the formula is finite{}", row.regime,
+                                 row.nonfinite, row.samples,
+                                 range ? " (the unit of length leaves the range of its intermediate results)"
+                                       : cure_of(row.regime)),
+                     campaign.subject, row.order, row.nonfinite_input, static_cast<std::uint64_t>(row.nonfinite),
+                     !range});
   }
 }
 

@@ -117,8 +117,9 @@ class CommandWorker final : public Worker {
   }
 
   Fault late(double seconds) {
-    return process_.fault(
-        "hang", fmt::format("no answer within {:g} s: it hangs, does not flush its output after each line, or needs more time (--seconds)", seconds));
+    return process_.fault("hang", fmt::format("no answer within {:g} s: it hangs, does not flush its output after each "
+                                              "line, or needs more time (--seconds)",
+                                              seconds));
   }
 
   std::size_t read_lines(std::size_t most, const std::function<void(std::string_view)>& take) {
