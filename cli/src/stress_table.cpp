@@ -65,7 +65,7 @@ void add_stress(Command& command, StressArguments& a) {
               "plane with that normal, too")
       .taking("FILE")
       .needs(stress);
-  command.option("--shear-modulus", a.shear_modulus, "mu of --stress, whose unit stresses have")
+  command.option("--shear-modulus", a.shear_modulus, "mu of --stress; stresses have its unit")
       .in_range(1e-100, 1e100)
       .showing_default("1")
       .needs(stress);

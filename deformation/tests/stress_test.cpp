@@ -13,18 +13,18 @@ namespace {
 
 using Vector = Vec3<long double>;
 
-constexpr long double pi = std::numbers::pi_v<long double>;
+constexpr long double half_turn = std::numbers::pi_v<long double>;
 
 // Kelvin's displacement of a force at the origin in an infinite body, of shear modulus mu; in the plane, plane strain.
 Vector kelvin(const Vector& x, const Vector& force, int dimension, long double mu, long double nu) {
-  const long double r = x.norm(), scale = 1 / ((dimension == 3 ? 16 : 8) * pi * mu * (1 - nu));
+  const long double r = x.norm(), scale = 1 / ((dimension == 3 ? 16 : 8) * half_turn * mu * (1 - nu));
   if (dimension == 3) return scale / r * ((3 - 4 * nu) * force + x * x.dot(force) / (r * r));
   return scale * (-(3 - 4 * nu) * std::log(r) * force + x * x.dot(force) / (r * r));
 }
 
 // Its stress, as Love and Brebbia print it.
 Mat3<long double> kelvin_stress(const Vector& x, const Vector& force, int dimension, long double nu) {
-  const long double r = x.norm(), scale = -1 / ((dimension == 3 ? 8 * r : 4) * pi * (1 - nu) * r);
+  const long double r = x.norm(), scale = -1 / ((dimension == 3 ? 8 * r : 4) * half_turn * (1 - nu) * r);
   const Vector e = x / r;
   Mat3<long double> found = Mat3<long double>::Zero();
   for (int i = 0; i < dimension; ++i)

@@ -31,7 +31,7 @@ struct Stress {
   double von_mises() const;
 };
 
-/// Of the displacement u = f(x) - x.
+/// Both tensors of the displacement u = f(x) - x.
 /// \param jacobian of f, [component][derivatives by the rest axes]; in the plane its third row and column are those of
 /// the identity. Where one of its numbers is not finite, no entry of the stress is
 /// \pre has_stress(material.poisson_ratio)
