@@ -66,13 +66,15 @@ Chosen chosen_by(const DeformArguments& a) {
   if (!a.solved.empty() && !holds_matrices(a.solved)) throw InputError(fmt::format("--solved {}: use .npz", a.solved));
   if (!a.energies.empty() && !chosen.constrained)
     throw InputError(fmt::format("--energies: {} has no steps", a.method));
+  check_stress(a.stress, a.method, chosen.known);
   return chosen;
 }
 
 void require_order(const DeformArguments& a, int highest) {
-  if (a.order > highest)
-    throw InputError(fmt::format("--order {}: {}{}{} has derivatives only up to order {}", a.order, a.method,
-                                 a.evaluation.empty() ? "" : " by ", a.evaluation, highest));
+  if (a.computed_order() <= highest) return;
+  throw InputError(fmt::format("{}: {}{}{} has derivatives only up to order {}",
+                               a.order > highest ? fmt::format("--order {}", a.order) : "--stress", a.method,
+                               a.evaluation.empty() ? "" : " by ", a.evaluation, highest));
 }
 
 Posing posing_by(const DeformArguments& a, const Chosen& chosen, const Cage& cage,
@@ -150,6 +152,7 @@ void require_digits_served(const DeformArguments& a, const Chosen& chosen) {
   if (chosen.name != "green")
     throw InputError(fmt::format("--digits: {} has all digits only; there is green", chosen.name));
   if (a.order > 0) throw InputError("--digits: derivatives have all digits only; --order 0 leaves them out");
+  if (a.stress.asked()) throw InputError("--digits: --stress takes derivatives, which have all digits only");
   if (a.outside == "extend") throw InputError("--digits: --outside extend has all digits only");
   if (!a.evaluation.empty() && a.evaluation != "batched")
     throw InputError(fmt::format("--digits: --evaluation {} sums face by face; batched does not", a.evaluation));
@@ -196,7 +199,7 @@ PointImages images_by(const DeformArguments& a, const Posing& posing, const Cage
   if (extend && !coordinates.kind().extends)
     throw InputError(fmt::format("--outside extend: {} does not continue through faces; there is {}", a.method,
                                  fmt::join(methods_that_extend(), ", ")));
-  ImageRun run{a.order, a.jobs};
+  ImageRun run{a.computed_order(), a.jobs};
   run.extend = extend;
   PointImages images = a.digits > 0 ? images_to_digits(coordinates, mesh.vertices, maps, a.digits, a.jobs,
                                                        region_of(coordinates), digits)
@@ -261,6 +264,7 @@ int run(DeformArguments& a) {
   const auto [cage, merging] = a.cage.load_merged();
   Mesh mesh = load_points(a.points, cage.dimension());
   check_shapes(a, mesh, cage.dimension());
+  const std::vector<Vec3<double>> normals = unit_normals(a.stress, mesh.vertices.size(), cage.dimension());
   // Solving takes long, so the order is checked before.
   const std::string_view kind = chosen.constrained ? chosen.constrained->kind : method_of(a).kind;
   if (!kind.empty()) require_order(a, highest_order(coordinate_kind_named(kind), cage, a.evaluation));
@@ -281,7 +285,7 @@ int run(DeformArguments& a) {
     Json json = report_of(a, chosen, coordinates, map);
     const DeformationReport& pose = map.map->report();
     const MeshMeasures measures =
-        measures_of(coordinates.elements(), cage.size(), map.vertices, mesh, images, k, a.order);
+        measures_of(coordinates.elements(), cage.size(), map.vertices, mesh, images, k, a.computed_order());
     json.update(deformation_json(measures, mesh.vertices.size(), cage.size(),
                                  chosen.constrained ? map.vertices : std::vector<Vec3<double>>(), cage.dimension(),
                                  map.prepared, pose));
@@ -291,8 +295,15 @@ int run(DeformArguments& a) {
       json["points_continued"] = {{"count", std::ranges::count_if(images.beyond, [](double way) { return way > 0; })},
                                   {"farthest_over_cage_size", std::ranges::max(images.beyond) / cage.size()}};
     if (!digits.empty()) json["digits"] = digits_json(a.digits, digits[k]);
+    CoordinateColumns stress;
+    if (a.stress.asked()) {
+      const Material material = material_of(a.stress, chosen.known, map.parameters);
+      stress = stress_columns(images.maps[k], cage.dimension(), material, normals);
+      json["stress"] = stress_json(stress, material);
+    }
     print_warnings(json["warnings"], chosen, map, files.name_of(k + 1), posing.maps.size() == 1, said);
     files.add(map.file, deformed, image_columns(images.maps[k], cage.dimension(), a.order), json);
+    if (a.stress.asked()) files.add_table(a.stress.file, deformed, stress);
     if (!a.energies.empty())
       files.add(a.energies, energies_text(a, fmt::format("{}, {}", a.method, cage.name()), pose.energies));
   }
@@ -380,6 +391,7 @@ void add_deform(CommandLine& line) {
       .showing_default(fmt::format("{}", usual_rate));
   command.option("--order", a->order, "1: Jacobians, 2: Hessians, too").in_range(0, 2).showing_default();
   command.option("--derivatives", a->derivatives, ".csv, .npy or .vtp, beside a mesh file").taking("FILE");
+  add_stress(command, a->stress);
   command.option("--energies", a->energies, ".csv or .png: of methods that iterate, the energy at every half step")
       .taking("FILE");
   command

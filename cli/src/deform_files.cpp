@@ -36,6 +36,7 @@ void check_distinct(const DeformArguments& a, std::size_t maps) {
   for (const std::string& posed : a.posed) known.emplace_back(posed, "--posed");
   if (!a.constraints.empty()) known.emplace_back(a.constraints, "--constraints");
   for (const auto& [option, file] : given_data(a)) known.emplace_back(file, "--" + option);
+  if (!a.stress.normals.empty()) known.emplace_back(a.stress.normals, "--normals");
   for (auto& [path, option] : known) path = place_of(path);
   std::vector<std::filesystem::path> written;
   const auto write = [&](const std::filesystem::path& name, const std::string& option) {
@@ -60,6 +61,7 @@ void check_distinct(const DeformArguments& a, std::size_t maps) {
   for (std::size_t k = 1; k <= maps; ++k) {
     if (!in_one) write_with_report(numbered(a.out, k));
     if (!a.derivatives.empty()) write(numbered(a.derivatives, k), "--derivatives");
+    if (a.stress.asked()) write(numbered(a.stress.file, k), "--stress");
   }
   if (!a.collection.empty()) write(a.collection, "--out");
   if (!a.energies.empty()) write(a.energies, "--energies");
@@ -71,6 +73,7 @@ void check_standard_input(const DeformArguments& a) {
   std::vector<std::pair<std::string, std::string>> inputs{{a.cage.file, "--cage"}, {a.points, "--points"}};
   for (const std::string& posed : a.posed) inputs.emplace_back(posed, "--posed");
   for (const auto& [option, file] : given_data(a)) inputs.emplace_back(file, "--" + option);
+  if (!a.stress.normals.empty()) inputs.emplace_back(a.stress.normals, "--normals");
   require_one_reader_of_input(inputs);
 }
 
@@ -83,7 +86,8 @@ void require_no_mark(const std::string& out) {
 
 void check_numbers(const DeformArguments& a, std::size_t maps) {
   if (is_point_cache(a.out)) require_no_mark(a.out);
-  for (const auto& [option, name] : {std::pair{"--out", &a.out}, std::pair{"--derivatives", &a.derivatives}}) {
+  for (const auto& [option, name] : {std::pair{"--out", &a.out}, std::pair{"--derivatives", &a.derivatives},
+                                     std::pair{"--stress", &a.stress.file}}) {
     require_marks(option, *name);
     const bool holds_all = name == &a.out && is_point_cache(a.out);
     if (maps > 1 && !name->empty() && !holds_all && !has_mark(*name))
@@ -122,8 +126,9 @@ void check_names(const DeformArguments& a, std::size_t maps) {
     throw InputError(fmt::format("--out {}: use {} or {}; {} or .pvd for all maps in one", a.out,
                                  fmt::join(mesh_extensions, ", "), fmt::join(table_extensions, ", "),
                                  fmt::join(cache_extensions, ", ")));
-  if (!a.derivatives.empty() && !is_one_of(table_extensions, a.derivatives))
-    throw InputError(fmt::format("--derivatives {}: use {}", a.derivatives, fmt::join(table_extensions, ", ")));
+  for (const auto& [option, name] : {std::pair{"--derivatives", &a.derivatives}, std::pair{"--stress", &a.stress.file}})
+    if (!name->empty() && !is_one_of(table_extensions, *name))
+      throw InputError(fmt::format("{} {}: use {}", option, *name, fmt::join(table_extensions, ", ")));
   if (a.order > 0 && places_only && a.derivatives.empty())
     throw InputError(fmt::format("--order {}: '{}' files hold no derivatives; --derivatives FILE takes them", a.order,
                                  extension_of(a.out)));

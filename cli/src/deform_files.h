@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "coordinate_table.h"
 #include "posing.h"
+#include "stress_table.h"
 
 #include <filesystem>
 #include <set>
@@ -17,6 +18,7 @@ struct DeformArguments {
   std::string points, method, evaluation, out, derivatives, constraints, energies, solved, outside = "error";
   std::vector<std::string> posed, parameters;
   DataFiles data;
+  StressArguments stress;
   int order = 0, jobs = 0;
   int digits = 0;           ///< of images; 0 for all
   double on = 0;            ///< a share of the cage's size
@@ -24,6 +26,9 @@ struct DeformArguments {
   std::string collection;   ///< a .pvd file that names those of out; by split_collection
   bool strict = false;      ///< a posed cage with other faces is an error
   bool keep_quads = false;  ///< in place of the method, the one that does the same on quads
+
+  /// The highest derivative that is computed: stress needs the first.
+  int computed_order() const { return stress.asked() && order == 0 ? 1 : order; }
 };
 
 inline constexpr std::string_view deformation_schema = "cageproof-deformation";

@@ -32,9 +32,12 @@ void PoseFiles::add(const std::string& pose, const Mesh& deformed, const Coordin
     files_.emplace_back(out, text_for(out, deformed, images, source_));
     add_report(out, report);
   }
-  if (a_.derivatives.empty()) return;
-  const std::string derivatives = numbered(a_.derivatives, k);
-  files_.emplace_back(derivatives, text_for(derivatives, deformed, images, source_));
+  if (!a_.derivatives.empty()) add_table(a_.derivatives, deformed, images);
+}
+
+void PoseFiles::add_table(const std::string& file, const Mesh& deformed, const CoordinateColumns& table) {
+  const std::string name = numbered(file, maps_);
+  files_.emplace_back(name, text_for(name, deformed, table, source_));
 }
 
 void PoseFiles::add_cache() {

@@ -21,6 +21,8 @@ class PoseFiles {
   /// The next map. \param pose the file that describes it \param images of the mesh's vertices, with derivatives
   void add(const std::string& pose, const Mesh& deformed, const CoordinateColumns& images,
            const nlohmann::ordered_json& report);
+  /// A table of the map that was added last. \param file with a mark for the map's number, where there are several
+  void add_table(const std::string& file, const Mesh& deformed, const CoordinateColumns& table);
   /// Another file.
   void add(const std::filesystem::path& file, std::string text) { files_.emplace_back(file, std::move(text)); }
 

@@ -3,9 +3,11 @@
 
 Lengths are divided by the cage's size, the diagonal of its box. docs/claims.md says which claim each NAME measures."""
 
+import itertools
 import json
 import subprocess
 import sys
+from collections import defaultdict
 from pathlib import Path
 
 import numpy as np
@@ -118,7 +120,62 @@ def densities() -> str:
     return figures(found)
 
 
-MEASURES = {"densities": densities, "follow": follow, "gamma_d": gamma_d, "affine": affine, "similar": similar, "infinite_nu": infinite_nu, "unity": unity}
+def bar_of_tetrahedra(cells: int) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices and tetrahedra of a bar 4 x 1 x 1: cells in a row, each cut into six tetrahedra of one volume. All vertices lie on its surface."""
+    rest = np.array([(4 * k / cells, y, z) for k in range(cells + 1) for y in (0, 1) for z in (0, 1)], float)
+    paths = [np.cumsum([0, *steps]) for steps in itertools.permutations((4, 2, 1))]
+    return rest, np.array([4 * k + path for k in range(cells) for path in paths])
+
+
+def phong_jacobians(rest: np.ndarray, posed: np.ndarray, tetrahedra: np.ndarray, element: int, point: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Jacobians at a point of a tetrahedron: of the linear map there, and of Phong deformation [James 2020], the mean of the linear map and of the vertices'
+    maps, which have the mean Jacobian of their tetrahedra and are interpolated linearly."""
+    corners = rest[tetrahedra]
+    hats = np.linalg.inv(np.concatenate([corners, np.ones((len(corners), 4, 1))], axis=2))  # hats[e, :3, i]: the gradient of corner i's
+    linear = np.einsum("eic,eji->ecj", posed[tetrahedra], hats[:, :3])
+    vertex = np.array([linear[(tetrahedra == v).any(axis=1)].mean(axis=0) for v in range(len(rest))])
+    own = tetrahedra[element]
+    moved = posed[own] + np.einsum("icj,ij->ic", vertex[own], point - rest[own])
+    weights = np.append(point, 1) @ hats[element]
+    taylor = np.einsum("ic,ji->cj", moved, hats[element, :3]) + np.einsum("i,icj->cj", weights, vertex[own])
+    return linear[element], (linear[element] + taylor) / 2
+
+
+def phong() -> str:
+    """The largest jump of Jacobians (spectral norm) over the faces between tetrahedra, of a bar bent by a right angle."""
+    found = {}
+    for cells in (4, 8, 16):
+        rest, tetrahedra = bar_of_tetrahedra(cells)
+        angle, radius = rest[:, 0] * np.pi / 8, 8 / np.pi
+        posed = np.stack([(radius - rest[:, 1] + 0.5) * np.sin(angle), radius - (radius - rest[:, 1] + 0.5) * np.cos(angle), rest[:, 2]], axis=1)
+        faces = defaultdict(list)
+        for element, corners in enumerate(tetrahedra):
+            for face in itertools.combinations(corners, 3):
+                faces[face].append(element)
+        shared = {face: elements for face, elements in faces.items() if len(elements) == 2}
+        centres = np.array([rest[list(face)].mean(axis=0) for face in shared])
+        jumps = np.array([[np.linalg.norm(a - b, 2) for a, b in zip(*(phong_jacobians(rest, posed, tetrahedra, e, centre) for e in elements))]
+                          for elements, centre in zip(shared.values(), centres)])
+        found |= {f"linear {cells}": jumps[:, 0].max(), f"phong {cells}": jumps[:, 1].max()}
+    # The cage is the last bar's surface. Its Jacobians on both sides of the faces, 1e-6 apart.
+    outward = []
+    for face, elements in faces.items():
+        a, b, c = rest[list(face)]
+        inside = np.cross(b - a, c - a) @ (rest[tetrahedra[elements[0]]].mean(axis=0) - a) > 0
+        outward += [face[::-1] if inside else face] if len(elements) == 1 else []
+    Path("bar.obj").write_text("".join(f"v {x} {y} {z}\n" for x, y, z in rest) + "".join("f {} {} {}\n".format(*(v + 1 for v in f)) for f in outward))
+    normals = np.array([np.cross(*(rest[list(face)][1:] - rest[face[0]])) for face in shared])
+    step = 0.5e-6 * normals / np.linalg.norm(normals, axis=1)[:, None]
+    np.save("at.npy", np.vstack([centres - step, centres + step]))
+    np.savetxt("pose.txt", posed, fmt="%.17g")
+    cageproof("deform", "--cage", "bar.obj", "--posed", "pose.txt", "--points", "at.npy", "--method", "somigliana", "--parameter", "variant=local",
+              "--parameter", "nu=0", "--order", "1", "--out", "image.npy", "--quiet")
+    below, above = np.load("image.npy")[:, 3:].reshape(2, -1, 3, 3)
+    found["somigliana"] = np.linalg.norm(above - below, 2, axis=(1, 2)).max()
+    return figures(found)
+
+
+MEASURES = {"densities": densities, "follow": follow, "gamma_d": gamma_d, "affine": affine, "similar": similar, "infinite_nu": infinite_nu, "phong": phong, "unity": unity}
 
 if __name__ == "__main__":
     if len(sys.argv) != 2 or sys.argv[1] not in MEASURES:
