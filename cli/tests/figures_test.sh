@@ -10,13 +10,14 @@ refuses() { refuses_to figures "$@"; }
 "$cageproof" figures --out one --jobs 1 >lines </dev/null || fail "embedded figures"
 "$cageproof" figures --out two --jobs 2 >/dev/null </dev/null || fail "with two threads"
 diff -r one two >/dev/null || fail "threads change bytes"
-for name in t24-bend t24-twist c23-global c23-local c23-kernels t18-symmetry quads-kept w12-bar; do
+for name in t24-bend t24-twist c23-global c23-local c23-kernels t18-symmetry quads-kept w12-bar w12-legs w12-same-square w12-rhombus w12-star c23-star \
+  w12-neck w12-seam c23-infinite-ratio c23-hexagon c23-l; do
   [ -s "one/figures/$name.png" ] || fail "no $name.png"
   grep -q "^one/figures/$name.png: " lines || fail "$name is not printed"
 done
 [ "$(ls one)" = figures ] || fail "more than figures/: $(ls one)"
 pictures=$(find one -name '*.png' | wc -l) panels=$(find one -name '*.vtp' | wc -l)
-[ "$pictures" -eq 8 ] || fail "$pictures pictures"
+[ "$pictures" -eq 18 ] || fail "$pictures pictures"
 [ "$(grep -c '"data": "figures/.*\.vtp"' one/figures/figures.json)" -eq "$panels" ] || fail "figures.json does not name all $panels data"
 [ "$(find one/figures -type f | wc -l)" -eq $((pictures + panels + 1)) ] || fail "other files: $(ls one/figures)"
 grep -q '"asymmetry over cage size"' one/figures/figures.json || fail "no asymmetry"

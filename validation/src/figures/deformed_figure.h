@@ -23,7 +23,11 @@ struct PanelPlan {
   std::vector<std::pair<std::string, std::string>> parameters = {};
   std::vector<Vec3<double>> posed = {};       ///< the cage's vertices
   deformation::Constraints constraints = {};  ///< of methods that take them instead of a posed cage
-  bool shows_diagonals = false;               ///< whether the cage's quads are drawn as triangles
+  /// One for each edge, in place of the method's own; empty for those.
+  std::vector<Vec3<double>> normal_derivatives = {};
+  /// The file of another panel of the figure with the same mesh, from which images differ by a measured distance.
+  std::string compared_with = {};
+  bool shows_diagonals = false;  ///< whether the cage's quads are drawn as triangles
   /// In place of the figure's: with the same vertices, and other faces. Null for the figure's.
   std::shared_ptr<const Cage> cage = nullptr;
 };
@@ -36,6 +40,12 @@ struct SheetPlan {
   reports::FigureView view = {};
 };
 
+/// Points of the plane where changes of angles are measured, and where these are, in words.
+struct AnglePlaces {
+  std::string where;
+  std::vector<Vec3<double>> points;
+};
+
 /// Figures of one cage and mesh.
 struct DeformedPlan {
   std::string name;
@@ -44,6 +54,10 @@ struct DeformedPlan {
   std::vector<SheetPlan> sheets;
   /// Whether cage, poses and mesh are symmetric in x, so that images should be: how far they are not is measured.
   bool is_symmetric = false;
+  std::vector<AnglePlaces> angles = {};  ///< of cages of the plane
+  /// A part of the mesh whose displacement is measured, by its vertices, with its name; nothing where there is none.
+  std::string watched = {};
+  std::vector<int> watched_vertices = {};
 };
 
 /// \throws InputError for a method or parameter that does not exist
