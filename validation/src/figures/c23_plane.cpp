@@ -49,9 +49,9 @@ std::unique_ptr<const PaperFigure> star_variants_figure() {
                      .heading = "A star by Somigliana coordinates: global, local and between",
                      .source = "[C23] Figure 4, its star",
                      .text =
-                         "Poisson's ratio 0.38, no bulging (γ = 0). The global variant takes one stretch for the "
-                         "whole cage and mutes the pose; the local one takes each edge's own; the blend takes the "
-                         "mean of both on the border, and lies between them.",
+                         "Poisson's ratio 0.38, no bulging (γ = 0). The global variant gives all edges one "
+                         "rotation and one stretch, and is muted; the local one gives each its own, and may fold; the "
+                         "blend takes the mean of both, and lies between them.",
                      .columns = 4,
                      .panels = {{.title = "at rest", .file = "rest"}}};
   for (const std::string variant : {"global", "blend", "local"})

@@ -58,7 +58,7 @@ std::unique_ptr<const PaperFigure> trousers_figure() {
                "negative across the gap, and push the still leg away; harmonic ones are positive and leave it "
                "there, but shear the squares beside the cage; Green coordinates (Cauchy's) keep angles and miss "
                "the cage; biharmonic ones follow it with normal derivatives that are unit normals.",
-       .columns = 5,
+       .columns = 3,
        .panels = posed_by(lifted_leg(*cage), {{.title = "at rest", .file = "rest"},
                                               {.title = "mean value", .file = "mean_value", .method = "mean_value"},
                                               {.title = "harmonic", .file = "harmonic", .method = "harmonic"},
