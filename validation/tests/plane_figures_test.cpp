@@ -57,10 +57,13 @@ double shoelace(const std::vector<Vec3<double>>& points, const std::vector<int>&
 
 TEST(PlaneFigures, meshes_fill_their_polygons_without_gaps) {
   const Cage square = plane_square(), star = plane_star(), trousers = plane_trousers(), animal = plane_animal();
+  // Its patches run along their common edge in opposite directions.
+  const Cage pair = polygon_of("pair", {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {0, 1, 0}});
   for (const auto& [cage, mesh] : {std::pair{&square, square_mesh(square, 6)},
                                    {&star, star_mesh(star)},
                                    {&trousers, trousers_mesh(trousers)},
-                                   {&animal, animal_mesh(animal)}}) {
+                                   {&animal, animal_mesh(animal)},
+                                   {&pair, patched(pair, {}, {{{0, 1, 4, 5}, 3, 3}, {{3, 4, 1, 2}, 3, 3}})}}) {
     std::vector<int> all(cage->vertices().size());
     for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<int>(v);
     double area = 0;
