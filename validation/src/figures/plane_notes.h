@@ -6,7 +6,7 @@
 
 namespace cageproof::validation {
 
-/// What was found about a panel beside its images; null where it was not asked for.
+/// Findings about a panel beside its images; null where nothing asks for them.
 struct PlaneFindings {
   const std::vector<Vec3<double>>* derivatives = nullptr;  ///< by x and by y, at all places of the plan's angles
   const std::vector<Vec3<double>>* compared = nullptr;     ///< images of the panel that this one is compared with
