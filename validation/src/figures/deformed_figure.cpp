@@ -2,6 +2,7 @@
 #include "deformed_figure.h"
 
 #include "figure_measures.h"
+#include "plane_notes.h"
 
 #include "cageproof/core/cage/enclosed.h"
 #include "cageproof/core/input_error.h"
@@ -61,6 +62,10 @@ class DeformedFigure final : public PaperFigure {
     for (const PanelMap& map : maps) posed.push_back(map.posed.get());
     const CageCoordinates& coordinates = *maps.front().coordinates;
     const auto images = deformation::images_of(coordinates, points, posed, {.jobs = jobs, .block = 64}, std::nullopt);
+    const std::vector<Vec3<double>> places = angle_points(plan_);
+    const auto derivatives =
+        places.empty() ? deformation::PointImages{}
+                       : deformation::images_of(coordinates, places, posed, {.order = 1, .jobs = jobs}, std::nullopt);
     FigureFindings found;
     for (std::size_t k = 0; k < shown.size(); ++k) {
       std::vector<Vec3<double>> vertices = deformation::vertices_of(images.maps[k], coordinates.dimension());
@@ -70,10 +75,12 @@ class DeformedFigure final : public PaperFigure {
       const std::string key = key_of(*shown[k].sheet, *shown[k].panel);
       found[key].vertices = std::move(vertices);
       if (shown[k].panel->posed.empty()) {
-        // A map without a posed cage is shown in its cage at rest.
-        const std::vector<Vec3<double>> cage = maps[k].posed->vertices();
-        found[key + cage_suffix].vertices = cage.empty() ? cage_of(*shown[k].panel).vertices() : cage;
+        // A map without a posed cage is shown in its cage at rest; in the plane without a cage.
+        std::vector<Vec3<double>> cage = maps[k].posed->vertices();
+        if (cage.empty() && plan_.cage->dimension() == 3) cage = cage_of(*shown[k].panel).vertices();
+        found[key + cage_suffix].vertices = std::move(cage);
       }
+      if (!places.empty()) found[key + derivatives_suffix].vertices = columns_of(derivatives.maps[k]);
     }
     for (auto& [key, mesh] : found) mesh.name = key;
     return found;
@@ -83,8 +90,12 @@ class DeformedFigure final : public PaperFigure {
     return std::ranges::all_of(groups_, [&](const Group& group) {
       return std::ranges::all_of(group.shown, [&](const Shown& one) {
         const std::string key = key_of(*one.sheet, *one.panel);
-        return has(found, key, plan_.mesh.mesh.vertices.size()) &&
-               (!one.panel->posed.empty() || has(found, key + cage_suffix, cage_of(*one.panel).vertices().size()));
+        const bool has_cage = !one.panel->posed.empty() ||
+                              has(found, key + cage_suffix, cage_of(*one.panel).vertices().size()) ||
+                              (plan_.cage->dimension() == 2 && has(found, key + cage_suffix, 0));
+        const std::size_t places = angle_points(plan_).size();
+        return has(found, key, plan_.mesh.mesh.vertices.size()) && has_cage &&
+               (places == 0 || has(found, key + derivatives_suffix, 2 * places));
       });
     });
   }
@@ -108,6 +119,7 @@ class DeformedFigure final : public PaperFigure {
 
  private:
   static constexpr const char* cage_suffix = ".cage";
+  static constexpr const char* derivatives_suffix = ".derivatives";
   struct Shown {
     const SheetPlan* sheet;
     const PanelPlan* panel;
@@ -130,6 +142,16 @@ class DeformedFigure final : public PaperFigure {
   static const PanelPlan* beside(const SheetPlan& sheet, const PanelPlan& panel) {
     const auto other = std::ranges::find(sheet.panels, panel.compared_with, &PanelPlan::file);
     return other != sheet.panels.end() && !other->method.empty() ? &*other : nullptr;
+  }
+
+  // Two columns of the Jacobian a point: derivatives by x and by y.
+  static std::vector<Vec3<double>> columns_of(const deformation::Images<double>& images) {
+    const std::vector<double>& jacobians = images.tensors[1];
+    std::vector<Vec3<double>> columns;
+    for (std::size_t at = 0; at + 4 <= jacobians.size(); at += 4)
+      for (std::size_t axis = 0; axis < 2; ++axis)
+        columns.emplace_back(jacobians[at + axis], jacobians[at + 2 + axis], 0);
+    return columns;
   }
 
   const Cage& cage_of(const PanelPlan& panel) const { return panel.cage ? *panel.cage : *plan_.cage; }
@@ -171,7 +193,7 @@ class DeformedFigure final : public PaperFigure {
           method, cage_of(panel),
           {.evaluation = panel.evaluation, .parameters = values_in(panel, parameters_of(method))});
     }
-    return {deformer, &deformer->coordinates(), deformer->pose({panel.posed})};
+    return {deformer, &deformer->coordinates(), deformer->pose({panel.posed, panel.normal_derivatives})};
   }
 
   static std::string parameters_text(const PanelPlan& panel) {
@@ -201,13 +223,21 @@ class DeformedFigure final : public PaperFigure {
     const std::string key = key_of(sheet, plan);
     panel.data.vertices = found.at(key).vertices;
     if (plan.posed.empty()) panel.cage = found.at(key + cage_suffix).vertices;
+    if (panel.cage.empty()) panel.cage_faces.clear();
     for (const auto& position : plan.constraints.positions) panel.marks.push_back(position.to);
     panel.facts.insert(panel.facts.begin(), {{"method", plan.method}, {"parameters", parameters_text(plan)}});
     if (!plan.evaluation.empty()) panel.facts.emplace_back("evaluation", plan.evaluation);
     measure(panel, rest);
     const std::vector<Vec3<double>>* const other =
         plan.compared_with.empty() ? nullptr : &found.at(key_of(sheet, *beside(sheet, plan))).vertices;
-    measure_more(panel, plan, other);
+    if (!flat) {
+      measure_more(panel, plan, other);
+      return panel;
+    }
+    PlaneFindings plane;
+    if (!plan_.angles.empty()) plane.derivatives = &found.at(key + derivatives_suffix).vertices;
+    plane.compared = other;
+    add_plane_measures(plan_, plan, plane, panel);
     return panel;
   }
 

@@ -24,7 +24,9 @@ struct PanelPlan {
   std::vector<std::pair<std::string, std::string>> parameters = {};
   std::vector<Vec3<double>> posed = {};       ///< the cage's vertices
   deformation::Constraints constraints = {};  ///< of methods that take them instead of a posed cage
-  bool shows_diagonals = false;               ///< whether the cage's quads are drawn as triangles
+  /// One for each edge, in place of the method's own; empty for those.
+  std::vector<Vec3<double>> normal_derivatives = {};
+  bool shows_diagonals = false;  ///< whether the cage's quads are drawn as triangles
   /// In place of the figure's; with other vertices only where constraints replace the posed cage. Null for the
   /// figure's.
   std::shared_ptr<const Cage> cage = nullptr;
@@ -44,6 +46,12 @@ struct SheetPlan {
   reports::FigureView view = {};
 };
 
+/// Points of the plane where changes of angles are measured, and where these are, in words.
+struct AnglePlaces {
+  std::string where;
+  std::vector<Vec3<double>> points;
+};
+
 /// Figures of one cage and mesh.
 struct DeformedPlan {
   std::string name;
@@ -54,6 +62,10 @@ struct DeformedPlan {
   bool is_symmetric = false;
   /// Whether the sharpest turn between neighbouring faces that a map adds is measured.
   bool measures_turns = false;
+  std::vector<AnglePlaces> angles = {};  ///< of cages of the plane
+  /// A part of the mesh whose displacement is measured, by its vertices, with its name; nothing where there is none.
+  std::string watched = {};
+  std::vector<int> watched_vertices = {};
 };
 
 /// \throws InputError for a method or parameter that does not exist

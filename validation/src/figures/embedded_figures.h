@@ -53,5 +53,22 @@ std::unique_ptr<const PaperFigure> spikes_figure();
 std::unique_ptr<const PaperFigure> plane_bar_figure();
 /// [C23] Figure 3: kernels in the plane.
 std::unique_ptr<const PaperFigure> kernel_figure();
+/// [W12] Figure 2: trousers with one leg lifted.
+std::unique_ptr<const PaperFigure> trousers_figure();
+/// [W12] Figures 4 and 8: a square by several normal derivatives, and made a rhombus.
+std::unique_ptr<const PaperFigure> square_figure();
+/// [W12] Figure 6: a star with turned tips.
+std::unique_ptr<const PaperFigure> star_figure();
+/// [W12] Figure 7: an animal whose neck is shortened, drawn out and bent by points that are held.
+std::unique_ptr<const PaperFigure> neck_figure();
+/// [W12] Figure 10: a square of two triangles made an L.
+std::unique_ptr<const PaperFigure> seam_figure();
+/// [C23] Figure 4: variants on a star with lifted arms.
+std::unique_ptr<const PaperFigure> star_variants_figure();
+/// [C23] Figure 7: Poisson's ratio up to infinity in the plane.
+std::unique_ptr<const PaperFigure> infinite_ratio_figure();
+/// [C23] Figure 10: a hexagon and an L.
+std::unique_ptr<const PaperFigure> hexagon_figure();
+std::unique_ptr<const PaperFigure> l_figure();
 
 }  // namespace cageproof::validation

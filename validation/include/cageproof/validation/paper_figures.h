@@ -32,8 +32,8 @@ class PaperFigure {
 };
 using PaperFigures = std::vector<std::unique_ptr<const PaperFigure>>;
 
-/// Figures of cages made in code. They compare deformers on a bar ([T24]), Poisson's ratio, bulging and kernels in the
-/// plane ([C23]), quads with their triangulation ([T18]), and show a bar of the plane ([W12]).
+/// Figures of cages made in code. They compare deformers on a bar ([T24]), Poisson's ratio, bulging, variants and
+/// kernels ([C23]), quads with their triangulation ([T18]), and maps of polygons ([W12]).
 PaperFigures embedded_figures();
 
 /// Figures of a folder's files NAME_Cage.obj, NAME_Cage_Deformed.obj and NAME.obj, for each NAME: deformers compared,
