@@ -82,7 +82,6 @@ TEST(far, constraints_are_met_to_rounding) {
     EXPECT_LE((found[v] - vertices[v] - Vec(.25, .5, 0)).norm(), 8 * 0x1p-53 * 1e7);
 }
 
-// Points next to the origin stay where they are.
 // The bar's own coefficients, of which two Hessians leave many free, are the least wherever the bar is. Seen from the
 // origin they were as large as the offset, and images had its roundings times a thousand.
 TEST(far, freedom_that_constraints_leave_is_filled_next_to_the_cage) {
@@ -104,6 +103,7 @@ TEST(far, freedom_that_constraints_leave_is_filled_next_to_the_cage) {
   EXPECT_LT((image_at({0x1p20, -0x1p19, 0x1p18}) - expected).norm(), 1e-8);
 }
 
+// Points next to the origin stay where they are.
 TEST(own_place, is_next_to_points_and_steps_from_it_are_exact) {
   EXPECT_EQ(own_place({}), Vec::Zero());
   EXPECT_EQ(own_place(cube().cage.vertices()), Vec::Zero());

@@ -31,11 +31,20 @@ double relative_error(const CageCoordinates& coordinates, const Vec& point) {
 // of it has ten digits, and derivatives next to it as few.
 TEST(short_edge, keeps_the_digits_of_its_length) {
   for (const double t : {1e-3, 1e-6, 1e-12})
-    for (const char* kind : {"harmonic", "triharmonic_boundary"}) {
+    for (const char* kind : {"harmonic", "triharmonic_boundary", "elastic"}) {
       const CageCoordinates c = coordinates(with_short_edge(t), kind);
       for (const Vec& p : {Vec(1.2455758717861956, 0.827043014360713, 0), Vec(.5, .5, 0)})
         EXPECT_LT(relative_error(c, p), 1e-12) << kind << ' ' << t;
     }
+}
+
+// A piece of such an edge pulls as little as it is short, which is no reason to leave its traction out.
+TEST(short_edge, counts_as_much_as_others) {
+  for (const double t : {1e-3, 1e-8, 1e-12, 1e-14}) {
+    const SolvedSystem system = coordinates(with_short_edge(t), "elastic").solved().front();
+    EXPECT_FALSE(system.is_singular()) << t << ": rank " << system.rank << " of " << system.columns;
+    EXPECT_LT(system.condition, 1e4) << t;
+  }
 }
 
 }  // namespace

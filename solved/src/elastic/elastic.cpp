@@ -13,6 +13,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <tuple>
 
@@ -100,8 +102,11 @@ class ElasticCoordinates final : public CoordinatesInDouble<ElasticCoordinates>,
   const HasTerms* terms() const override { return this; }
   std::vector<SolvedSystem> solved() const override {
     const auto equations = prepared<double>().layers->equations(points());
-    return {describe("K t = (H - T) u, tractions from displacements", equations.displacement, prepared<double>().rank,
-                     equations.data, Matrix<double>(prepared<double>().tractions.transpose()))};
+    const auto units = traction_units<double>();
+    return {describe("K t = (H - T) u, tractions from displacements",
+                     Matrix<double>(equations.displacement * units.asDiagonal()), prepared<double>().rank,
+                     equations.data,
+                     Matrix<double>(units.cwiseInverse().asDiagonal() * prepared<double>().tractions.transpose()))};
   }
   void fill_terms(std::span<const Vec3<double>> points, int order,
                   std::span<CoordinateTable<double>> tables) const override {
@@ -137,15 +142,31 @@ class ElasticCoordinates final : public CoordinatesInDouble<ElasticCoordinates>,
     return points_on(polygon_, elastic_collocations()[static_cast<std::size_t>(parameters_[kCollocation])].points);
   }
 
+  // Units of the pieces' tractions, component by component, in which those of short pieces pull as much as those of
+  // long ones: powers of two, which round nothing. Otherwise pieces 1e13 times shorter than others would count as
+  // without effect.
+  template <Scalar R>
+  Eigen::Matrix<R, Eigen::Dynamic, 1> traction_units() const {
+    std::vector<double> lengths;
+    for (int e = 0; e < polygon_.edges(); ++e) lengths.push_back(polygon_.line<double>(e).piece);
+    const double longest = std::ranges::max(lengths);
+    Eigen::Matrix<R, Eigen::Dynamic, 1> units(2 * polygon_.pieces());
+    const Eigen::Index an_edge = 2 * polygon_.pieces_an_edge();
+    for (int e = 0; e < polygon_.edges(); ++e)
+      units.segment(e * an_edge, an_edge).setConstant(R(std::exp2(std::ilogb(longest / lengths[e]))));
+    return units;
+  }
+
   template <Scalar R>
   const Prepared<R>& prepared() const {
     Prepared<R>& made = std::get<Prepared<R>>(prepared_);
     std::call_once(made.once, [&] {
       made.layers = std::make_unique<ElasticLayers<R>>(polygon_, evaluations_, parameters_[kNu]);
       const auto equations = made.layers->equations(points());
-      const LeastSquares<R> system(equations.displacement);
+      const auto units = traction_units<R>();
+      const LeastSquares<R> system(Matrix<R>(equations.displacement * units.asDiagonal()));
       made.rank = system.rank();
-      const Matrix<R> tractions = system.inverse() * equations.data;
+      const Matrix<R> tractions = units.asDiagonal() * (system.inverse() * equations.data);
       made.tractions = tractions.transpose();
     });
     return made;
@@ -155,7 +176,8 @@ class ElasticCoordinates final : public CoordinatesInDouble<ElasticCoordinates>,
   template <Scalar R>
   CoordinateTable<R> layers_at(std::span<const Vec3<R>> points, int order) const {
     const ElasticLayers<R>& layers = *prepared<R>().layers;
-    std::vector<Vec3<R>> off;
+    using At = RefinedPolygon::At<R>;
+    std::vector<At> off;
     std::vector<std::size_t> places;
     CoordinateTable<R> all = layers.table(points.size(), order);
     const auto put = [&](const CoordinateTable<R>& from, std::size_t p, std::size_t to) {
@@ -163,15 +185,15 @@ class ElasticCoordinates final : public CoordinatesInDouble<ElasticCoordinates>,
         std::copy_n(&from.tensors[o][p * all.stride[o]], all.stride[o], &all.tensors[o][to * all.stride[o]]);
     };
     for (std::size_t p = 0; p < points.size(); ++p) {
-      const Vec3<R> in_frame = polygon_.seen_from<R>(0, {points[p]});
+      const At at{points[p]};
       const std::vector<OnEdge<R>> on = on_edges(polygon_, somigliana_.elements(), points[p]);
       if (on.empty()) {
-        off.push_back(in_frame);
+        off.push_back(at);
         places.push_back(p);
         continue;
       }
       CoordinateTable<R> one = layers.table(1, order);
-      layers.add_on(in_frame, on, order, one);
+      layers.add_on(at, on, order, one);
       put(one, 0, p);
     }
     CoordinateTable<R> rest = layers.table(off.size(), order);

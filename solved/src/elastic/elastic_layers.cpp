@@ -54,15 +54,21 @@ CoordinateTable<R> ElasticLayers<R>::table(std::size_t points, int order) const 
 }
 
 template <Scalar R>
-void ElasticLayers<R>::add_pieces(int edge, std::span<const Vec3<R>> points, int order,
-                                  CoordinateTable<R>& table) const {
+void ElasticLayers<R>::add_pieces(int edge, std::span<const At> points, int order, CoordinateTable<R>& table) const {
   BatchOutput<R> output{.stride = table.stride, .entries = 4, .dim = 2, .add = true};
   for (int o = 0; o <= order; ++o) output.tensors[o] = table.tensors[o].data();
+  std::vector<Vec3<R>> seen;
+  int from = -1;
   for (int k = 0; k < polygon_.pieces_an_edge(); ++k) {
-    const std::array<Vec3<R>, 2> ends{polygon_.along<R>(edge, R(k), 0), polygon_.along<R>(edge, R(k + 1), 0)};
+    if (const int seer = polygon_.seer(edge, k); seer != from) {
+      from = seer;
+      seen.clear();
+      for (const At& point : points) seen.push_back(polygon_.seen_from<R>(from, point));
+    }
+    const std::array<Vec3<R>, 2> ends{polygon_.along<R>(edge, R(k), from), polygon_.along<R>(edge, R(k + 1), from)};
     const int piece = edge * polygon_.pieces_an_edge() + k;
     output.slots = std::span(&piece, 1);
-    evaluations_.displacement(Batch<R>{ends, points, order, parameters_}, output);
+    evaluations_.displacement(Batch<R>{ends, seen, order, parameters_}, output);
   }
 }
 
@@ -81,12 +87,12 @@ void ElasticLayers<R>::add_pieces_in_line(const OnEdge<R>& on, int order, Coordi
 }
 
 template <Scalar R>
-void ElasticLayers<R>::add(std::span<const Vec3<R>> points, int order, CoordinateTable<R>& table) const {
+void ElasticLayers<R>::add(std::span<const At> points, int order, CoordinateTable<R>& table) const {
   for (int e = 0; e < polygon_.edges(); ++e) add_pieces(e, points, order, table);
 }
 
 template <Scalar R>
-void ElasticLayers<R>::add_on(const Vec3<R>& point, std::span<const OnEdge<R>> on, int order,
+void ElasticLayers<R>::add_on(const At& point, std::span<const OnEdge<R>> on, int order,
                               CoordinateTable<R>& table) const {
   for (int e = 0; e < polygon_.edges(); ++e)
     if (!is_on(on, e)) add_pieces(e, std::span(&point, 1), order, table);
@@ -121,19 +127,30 @@ typename ElasticLayers<R>::Matrix2 ElasticLayers<R>::pull_to_end(const OnEdge<R>
   return Matrix2{{turned[0], turned[1]}, {turned[2], turned[3]}};
 }
 
+// What a whole edge sees a point from: the nearer of its ends where the polygon has a short edge, as pieces do.
+template <Scalar R>
+int ElasticLayers<R>::seer_of(int edge, const At& point) const {
+  if (!polygon_.has_short_edge()) return polygon_.seer(edge, 0);
+  const auto [first, second] = polygon_.edge(edge);
+  return polygon_.seen_from<R>(first, point).squaredNorm() <= polygon_.seen_from<R>(second, point).squaredNorm()
+             ? first
+             : second;
+}
+
 // (H - T) u = -int T(u - u at the point): shares of the vertices that the point lies between cancel, except for those
 // of edges that it is not on.
 template <Scalar R>
-void ElasticLayers<R>::put_data(const std::vector<OnEdge<R>>& on, const Vec3<R>& point, Eigen::Index row,
+void ElasticLayers<R>::put_data(const std::vector<OnEdge<R>>& on, const At& point, Eigen::Index row,
                                 Matrix<R>& data) const {
   const auto add = [&](int vertex, const Matrix2& matrix) { data.template block<2, 2>(row, 2 * vertex) += matrix; };
   const R second = on[0].steps / polygon_.pieces_an_edge();
   const std::array<int, 2>& between = polygon_.edge(on[0].edge);
   for (int e = 0; e < polygon_.edges(); ++e) {
     if (is_on(std::span<const OnEdge<R>>(on), e)) continue;
-    const std::array<Vec3<R>, 2> ends{polygon_.along<R>(e, R(0), 0),
-                                      polygon_.along<R>(e, R(polygon_.pieces_an_edge()), 0)};
-    const std::array<Matrix2, 2> of_ends = tractions(ends, point);
+    const int from = seer_of(e, point);
+    const std::array<Vec3<R>, 2> ends{polygon_.along<R>(e, R(0), from),
+                                      polygon_.along<R>(e, R(polygon_.pieces_an_edge()), from)};
+    const std::array<Matrix2, 2> of_ends = tractions(ends, polygon_.seen_from<R>(from, point));
     const Matrix2 whole = of_ends[0] + of_ends[1];
     for (int k = 0; k < 2; ++k) add(polygon_.edge(e)[k], -of_ends[k]);
     add(between[0], (1 - second) * whole);
@@ -155,7 +172,7 @@ typename ElasticLayers<R>::Equations ElasticLayers<R>::equations(std::span<const
     const auto row = static_cast<Eigen::Index>(2 * k);
     std::vector<OnEdge<R>> on{{p.edge, R(p.piece) + R(p.part) / p.parts}};
     if (p.is_vertex()) on.push_back({polygon_.before(p.edge), R(polygon_.pieces_an_edge())});
-    const Vec3<R> at = polygon_.along<R>(p.edge, on[0].steps, 0);
+    const At at = polygon_.on<R>(p.edge, on[0].steps);
     CoordinateTable<R> layers = table(1, 0);
     add_on(at, on, 0, layers);
     for (Eigen::Index piece = 0; piece < polygon_.pieces(); ++piece)

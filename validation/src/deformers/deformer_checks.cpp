@@ -8,6 +8,7 @@
 #include "cageproof/core/catalogue/unknown_name.h"
 #include "cageproof/deformation/stretch.h"
 #include "cageproof/validation/cage_errors.h"
+#include "cageproof/validation/promise.h"
 
 #include <fmt/format.h>
 
@@ -26,9 +27,6 @@ constexpr double harmless_condition = 1e3;
 
 // No condition excuses more: a deformer states its own.
 constexpr double most_excused = 1e8;
-
-// Images of maps that are kept.
-constexpr double promised = 1e-13;
 
 // Four roundings of a coordinate of this size, as keeps_offset allows them, are the 1e-13 sizes that images are made
 // to.
@@ -238,7 +236,9 @@ DeformerChecks::Ask DeformerChecks::kept(const SpaceMap& map, bool with_normals)
       deformation::Pose<Mp50>{in<Mp50>(pose.vertices), in<Mp50>(pose.normal_derivatives)}, std::move(exact));
   const auto vertices = std::make_shared<const std::vector<Vec3<double>>>(pose.vertices);
   const auto posed = lazily([this, pose = std::move(pose)] { return deformer_->pose(pose); });
-  return [this, map, size, vertices, posed, rounded](const Vec3<double>& point) {
+  const std::string_view check = with_normals ? "keeps_linear_with_normals" : map.check;
+  const auto promised = promise_for({check, variant_.method->name, variant_.name, "double", map.pose, 0}).bound;
+  return [this, map, size, vertices, posed, rounded, promised](const Vec3<double>& point) {
     const int d = cage_->dimension();
     const Vec3<double> image = image_at(*deformer_, *posed->get(), point, d);
     const Vec3<long double> expected = map.exactly(point, size);
@@ -247,7 +247,7 @@ DeformerChecks::Ask DeformerChecks::kept(const SpaceMap& map, bool with_normals)
     const Excuses excuses = with_condition(condition_of(*deformer_, *posed->get()), *vertices);
     DeformerError found = excused(difference.norm() / size, excuses);
     // 50 digits take seconds, and only next to small elements do roundings of vertices move images so far.
-    if (found.error > promised && has_few_elements() && has_50_digits())
+    if (promised && found.error > *promised && has_few_elements() && has_50_digits())
       found.error = excused((difference - rounded->moves(point)).norm() / size, excuses).error;
     return Errors{found};
   };
