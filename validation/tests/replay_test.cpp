@@ -147,9 +147,8 @@ TEST(replayed, deformers_and_constrained_methods_are_what_was_measured) {
     // Methods on quads take one second per case.
     if (cage_named(cage)->dimension() == 3) options.methods = "green,mean_value,biharmonic_1_3,somigliana,variational*";
     const auto checks = expect_the_same_again(deformer_measurements(cage_named(cage), options));
-    for (const char* check :
-         {"keeps_rigid", "keeps_mirror", "deformer_truth", "deformer_jacobian", "deformer_by_quadrature",
-          "energy_falls", "constrained_motion", "second_route", "pose_derivative", "pose_derivative_transposed"})
+    for (const char* check : {"keeps_rigid", "keeps_mirror", "deformer_truth", "deformer_jacobian",
+                              "deformer_by_quadrature", "energy_falls", "constrained_motion", "second_route"})
       EXPECT_TRUE(checks.contains(check)) << cage << ' ' << check;
   }
 }

@@ -11,7 +11,7 @@
 namespace cageproof::validation {
 namespace {
 
-constexpr std::size_t most_rest_elements = 50;
+constexpr std::size_t most_rest_elements = 20;
 
 // The error of a step is its square, and that of rounding is 1e-50 over it.
 constexpr double rest_step = 1e-16;
@@ -48,7 +48,7 @@ double RestProducts::condition(std::size_t element, const Vec3<double>& point) c
   }
   double aspect = 1;
   if (n == 3) aspect = longest * longest / (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
-  return std::max(longest / to_border, aspect * aspect);
+  return std::max(longest / to_border, aspect);
 }
 
 RestProducts::Difference RestProducts::difference_at(const Vec3<double>& at) const {

@@ -25,7 +25,7 @@ class RestProducts {
 
   /// |J c - central difference| of the worst block, norm-wise; c is generic_change(). In roundings of the elements'
   /// terms, each times what rounding the input costs: the element's size over the point's distance from its border, or
-  /// its aspect's square, whichever is more. NaN where there is no J.
+  /// its aspect (longest side over height), whichever is more. NaN where there is no J.
   CageError error_of_jvp(const Vec3<double>& point) const;
 
   /// |w . (J c) - (J' w) . c| in roundings of the terms of the sum over coordinates and elements; all w are one or -1.

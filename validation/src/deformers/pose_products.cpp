@@ -19,8 +19,8 @@ using deformation::Posed;
 
 namespace {
 
-// In cage sizes. In double what is left out is the fourth power, and images' roundings over the step are as large.
-constexpr double product_step_in_50_digits = 1e-16, product_step_in_double = 1e-3;
+// In cage sizes. In double what differences of fourth order leave out is less than images' roundings over the step.
+constexpr double product_step_in_50_digits = 1e-16, product_step_in_double = 0x1p-13;
 
 }  // namespace
 

@@ -26,7 +26,7 @@ class PoseProducts {
   bool exist() const;
 
   /// |J c - difference of images| over the size of J's terms, at least a cage size; c is generic_change(). Central
-  /// differences: by R = Mp50 of second order and a step of 1e-16 sizes, by double of fourth order and 1e-3 sizes.
+  /// differences: by R = Mp50 of second order and a step of 1e-16 sizes, by double of fourth order and 2^-13 sizes.
   template <Scalar R>
   double error_of_jvp(const Vec3<double>& point) const;
 
