@@ -4,6 +4,7 @@
 // that whole coordinates are timed in: --data DIR.
 #include "cage_benchmarks.h"
 #include "data_cages.h"
+#include "derivative_benchmarks.h"
 #include "pair_benchmarks.h"
 #include "pairs.h"
 #include "peer_benchmarks.h"
@@ -89,6 +90,9 @@ int main(int argc, char** argv) {
   for (const char* name : {"spiky-box", "l-shape"})
     register_deformer_benchmarks(std::make_shared<const DeformedCage>(embedded_deformed_cage(name, points)));
   if (given) register_deformer_benchmarks(given);
+  for (const char* name : {"icosphere", "spiky-box", "l-shape"})
+    register_derivative_benchmarks(std::make_shared<const DeformedCage>(embedded_deformed_cage(name, points)));
+  if (given) register_derivative_benchmarks(given);
   register_yardstick();
   for (const char* name : {"icosphere", "twisted-bar", "comb"})
     register_cage_benchmarks(std::make_shared<const DeformedCage>(embedded_deformed_cage(name, points)));

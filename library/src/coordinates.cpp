@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "conversions.h"
-#include "rest_slopes.h"
 
+#include "cageproof/core/coordinates/rest_derivative.h"
 #include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/core/reused.h"
 
@@ -120,26 +120,26 @@ void Coordinates::apply(std::span<const double> points, std::span<const double> 
 }
 
 void Coordinates::jvp(std::span<const double> points, std::span<const double> change, std::span<double> values) const {
-  check_rest_slopes(prepared_->coordinates);
+  const RestDerivative& derivative = rest_derivative_of(prepared_->coordinates.kind());
   const std::vector<Vec3<double>> at = vectors_of(points, dimension(), "points");
   const std::vector<Vec3<double>> steps = vectors_of(change, dimension(), "change");
   const std::size_t vertices = prepared_->coordinates.elements().vertices().size();
   if (steps.size() != vertices)
     throw InputError(fmt::format("change: {} vertices, the cage has {}", steps.size(), vertices));
   check_size(values.size(), at.size() * row(), "values");
-  rest_jvp(prepared_->coordinates, at, steps, prepared_->threads, values);
+  derivative.jvp(prepared_->coordinates, at, steps, prepared_->threads, values);
 }
 
 void Coordinates::vjp(std::span<const double> points, std::span<const double> weights,
                       std::span<double> vertices) const {
-  check_rest_slopes(prepared_->coordinates);
+  const RestDerivative& derivative = rest_derivative_of(prepared_->coordinates.kind());
   const std::vector<Vec3<double>> at = vectors_of(points, dimension(), "points");
   if (weights.size() != at.size() * row())
     throw InputError(fmt::format("weights: {} numbers, not {}", weights.size(), at.size() * row()));
   const std::size_t count = prepared_->coordinates.elements().vertices().size(),
                     d = static_cast<std::size_t>(dimension());
   check_size(vertices.size(), count * d, "vertices");
-  const std::vector<Vec3<double>> found = rest_vjp(prepared_->coordinates, at, weights, prepared_->threads);
+  const std::vector<Vec3<double>> found = derivative.vjp(prepared_->coordinates, at, weights, prepared_->threads);
   for (std::size_t v = 0; v < count; ++v)
     std::copy_n(found[v].data(), d, vertices.begin() + static_cast<std::ptrdiff_t>(v * d));
 }

@@ -46,6 +46,8 @@ constexpr std::array kWords{
     Words{"scheme_error", "a scheme's coordinates and those that it approximates"},
     Words{"boundary_data", "coordinates on the cage and the data that they are to have there"},
     Words{"cage_truth", "all coordinates of a kind and the closed form in 50 digits"},
+    Words{"rest_derivative", "products with derivatives by the cage's vertices and differences of coordinates"},
+    Words{"rest_derivative_transposed", "products with derivatives by the cage's vertices in both directions"},
     Words{"cage_block_error",
           "all coordinates of a block (those of the vertices, or of the faces) and the closed form in 50 digits, in "
           "units of what rounding the cage and the point costs a block"},
@@ -62,6 +64,9 @@ constexpr std::array kWords{
     Words{"keeps_symmetry_of_quads", "the same where the quads are symmetric and the triangles they are split in not"},
     Words{"deformer_truth", "images and derivatives in double and in 50 digits"},
     Words{"deformer_jacobian", "derivatives of images and differences of images"},
+    Words{"pose_derivative", "products with derivatives by posed vertices and differences of images"},
+    Words{"pose_derivative_in_double", "the same with differences in double"},
+    Words{"pose_derivative_transposed", "products with derivatives by posed vertices in both directions"},
     Words{"deformer_by_quadrature", "images and those made by adaptive quadrature"},
     Words{"energy_falls", "the energy after each step and before it"},
     Words{"rigid_energy", "the energy that rigidly moved targets leave and none"},

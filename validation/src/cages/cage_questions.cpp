@@ -4,6 +4,7 @@
 #include "cageproof/validation/cage_errors.h"
 #include "cages/inside_limit.h"
 #include "cages/point_inside.h"
+#include "cages/rest_products.h"
 #include "cages/second_route_error.h"
 #include "cageproof/validation/scheme_errors.h"
 
@@ -125,6 +126,7 @@ class Factory {
       question.key.scalar = name_of(subject.second_route()->compared_in());
       question.cost = CageQuestion::Cost::SecondRoute;
     }
+    add_rest_derivative();
     for (const std::string& check : CageSymmetries::checks_of(subject.coordinates()))
       add_roundings(check, [check](const CageAt& at) {
         return Found{finding_of(at.symmetries().at(check), at)};
@@ -146,6 +148,20 @@ class Factory {
         for (int o = 0; o <= at.order(); ++o) found[o] = finding_of(errors[o], at);
         return found;
       });
+  }
+
+  // One derivative serves all evaluations, and is asked of the first.
+  void add_rest_derivative() {
+    const CageCoordinates& coordinates = subject_.coordinates();
+    if (!RestProducts::exist(coordinates) || coordinates.evaluation() != subject_.recommended().evaluation()) return;
+    const auto products = std::make_shared<const RestProducts>(coordinates, subject_.cage(), rest_derivative_of(kind_));
+    const auto add = [&](const char* check, CageError (RestProducts::*error)(const Vec3<double>&) const) {
+      add_roundings(check, [products, error](const CageAt& at) {
+        return Found{finding_of(((*products).*error)(at.point), at)};
+      }).cost = CageQuestion::Cost::SecondRoute;
+    };
+    add("rest_derivative", &RestProducts::error_of_jvp);
+    add("rest_derivative_transposed", &RestProducts::error_of_transposed);
   }
 
   void add_on_cage() {

@@ -114,6 +114,8 @@ DeformerChecks::DeformerChecks(std::shared_ptr<const Cage> cage, DeformerVariant
       in_50_digits_([this] { return prepared<Mp50>(""); }),
       bent_(cage_, [this] { return deformer_; }),
       bent_in_50_digits_(cage_, [this] { return in_50_digits_.get(); }),
+      products_(
+          cage_, *variant_.method, [this] { return deformer_; }, [this] { return in_50_digits_.get(); }),
       seen_from_(bent(*cage_).front()),
       prior_() {
   if (!deformer_) deformer_ = prepared<double>("");
@@ -214,9 +216,30 @@ std::vector<Question<PointAt>> DeformerChecks::questions() const {
                            prompt ? differences<Mp50>() : differences<double>()));
   if (quadrature())
     all.push_back(question("deformer_by_quadrature", bent_pose, in_double, 0, 0, compared_with_quadrature()));
+  add_products(all);
   if (has_second_route())
     all.push_back(question("second_route", bent_pose, ScalarKind::Digits50, 0, 0, compared_with_second_route()));
   return all;
+}
+
+void DeformerChecks::add_products(std::vector<Question<PointAt>>& all) const {
+  // By default parameters each method that says so has a derivative: a lost one is no reason not to ask.
+  if (!products_.exist() && !(variant_.is_default && variant_.method->has_pose_derivative)) return;
+  const auto add = [&](const char* check, auto error) {
+    all.push_back(question(check, bent_pose, ScalarKind::Double, 0, 0, [this, error](const Vec3<double>& point) {
+      return Errors{excused(error(point), with_condition(condition_of(*deformer_, bent_.posed())))};
+    }));
+  };
+  // One point in 50 digits takes a tenth of a second on a few quads, and all variants are one code.
+  const bool on_many_quads = deformer_->coordinates().kind().keeps_quads && !has_few_elements();
+  if (is_prompt_in_50_digits() && !on_many_quads)
+    add("pose_derivative", [this](const Vec3<double>& point) { return products_.error_of_jvp<Mp50>(point); });
+  else
+    add("pose_derivative_in_double",
+        [this](const Vec3<double>& point) { return products_.error_of_jvp<double>(point); });
+  add("pose_derivative_transposed",
+      [this](const Vec3<double>& point) { return products_.roundings_of_adjoint(point); });
+  all.back().unit = "roundings";
 }
 
 DeformerChecks::Ask DeformerChecks::kept(const SpaceMap& map, bool with_normals) const {

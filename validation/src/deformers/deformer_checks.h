@@ -7,6 +7,7 @@
 #include "cageproof/validation/cage_campaign.h"
 #include "bent_images.h"
 #include "deformer_poses.h"
+#include "pose_products.h"
 #include "cages/mirror_symmetry.h"
 #include "cageproof/core/lazy.h"
 #include "cageproof/validation/question.h"
@@ -85,9 +86,12 @@ class DeformerChecks {
   /// deformer_jacobian: derivatives with central differences of the images and of the Jacobian, in 50 digits where
   /// these are prompt, else in double, along one direction per point, in the same unit.
   /// deformer_by_quadrature: images with those that an adaptive rule gives, on small cages, by default parameters.
-  /// second_route: images in 50 digits with those of second_routes::LayerRoute, of methods that solve for densities; in
-  /// space by default parameters, in the plane of the cage turned.
-  /// A question's place is its pose, which is solved for when the question is first asked. Valid while this lives.
+  /// pose_derivative: products with the derivative by posed vertices with differences in 50 digits, where these are
+  /// prompt; pose_derivative_in_double: elsewhere in double. pose_derivative_transposed: both directions are one
+  /// matrix. Of all methods and variants that have it (PoseProducts). second_route: images in 50 digits with those of
+  /// second_routes::LayerRoute, of methods that solve for densities; in space by default parameters, in the plane of
+  /// the cage turned. A question's place is its pose, which is solved for when the question is first asked. Valid while
+  /// this lives.
   std::vector<Question<PointAt>> questions() const;
 
  private:
@@ -113,6 +117,7 @@ class DeformerChecks {
   Ask compared_with_quadrature() const;
   bool has_second_route() const;
   Ask compared_with_second_route() const;
+  void add_products(std::vector<Question<PointAt>>& all) const;
   template <class R>
   Ask differences() const;
   template <class R>
@@ -131,6 +136,7 @@ class DeformerChecks {
   Lazy<Prepared<Mp50>> in_50_digits_;
   BentImages<double> bent_;
   BentImages<Mp50> bent_in_50_digits_;
+  PoseProducts products_;
   Vec3<double> seen_from_;  ///< a vertex of the bent cage
   std::optional<CageCoordinates> prior_;
 };

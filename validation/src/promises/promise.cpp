@@ -317,6 +317,12 @@ constexpr std::array table{
         "a moved point changes a Hessian by a third derivative, which terms do not have; cage_block_error has the "
         "promise"},
     Row{"cage_truth", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity, norm-wise over a block"},
+    Row{"rest_derivative", "*", "*", "double", "*", 0, 0, 1024,
+        "an element's slopes are good to 1024 roundings of the largest, times what rounding the input costs: the "
+        "sides' "
+        "integrals cancel, most in the element's plane"},
+    Row{"rest_derivative_transposed", "*", "*", "double", "*", 0, 0, 64,
+        "the same slopes are summed in another order: some tens of roundings of the terms"},
     // Whole cages at once, in units of what rounding the cage in its own frame costs.
     Row{"cage_block_error", "@(mean_value|quad_mean_value)", batched, "double", "*", 1, 2, 32,
         "next to the cage, where weights grow like 1/h and w/W stays bounded, derivatives of w/W cancel in the "
@@ -359,6 +365,14 @@ constexpr std::array table{
     Row{"deformer_jacobian", "*", "*", "double", "*", 1, 2, none, "differences in double have few digits"},
     Row{"deformer_jacobian", "*", "*", "*", "*", 1, 2, 1e-25,
         "central differences of step 1e-16 sizes in 50 digits, 2e-2 sizes inside"},
+    Row{"pose_derivative", "*", "*", "double", "*", 0, 0, exact_map,
+        "as deformer_truth: J is made of what images are made of; differences of step 1e-16 sizes are good to 1e-30"},
+    Row{"pose_derivative_in_double", "*", "*", "double", "@(cube|square|l-shape|l-block|twisted-bar)", 0, 0, 1e-9,
+        "images' 1e-13 over a step of 1e-4 sizes; differences of fourth order leave out less than that"},
+    Row{"pose_derivative_in_double", "*", "*", "double", "*", 0, 0, none,
+        "differences in double have few digits, and next to small faces their step is a large one"},
+    Row{"pose_derivative_transposed", "*", "*", "double", "*", 0, 0, 1024,
+        "1e-13, as images, of the terms of the sum: both directions take the same products in another order; 30 found"},
     Row{"second_route", "variational", "*", "double", "*", 0, 0, 1e-11,
         "as energy_is_flat: roundings times the condition of the rows, 1e4 and less"},
     Row{"second_route", "thickness", "*", "double", "*", 0, 0, 1e-7,

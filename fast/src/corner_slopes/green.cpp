@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "rest_slopes.h"
-
-#include "conversions.h"
-#include "potentials.h"
-
-#include "cageproof/core/input_error.h"
-#include "cageproof/core/parallel.h"
+// `green` coordinates: sums of layers, whose slopes by corners are known.
 #include "cageproof/fast/layer_slopes.h"
 
-#include <fmt/format.h>
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/coordinates/rest_derivative.h"
+#include "cageproof/core/parallel.h"
 
 #include <algorithm>
 
-namespace cageproof::library {
+namespace cageproof::fast {
 namespace {
 
 // The layers of one element at points, and their slopes.
@@ -21,8 +17,8 @@ class ElementSlopes {
   explicit ElementSlopes(const CageElements& elements)
       : elements_(elements),
         d_(elements.dimension()),
-        single_(d_ == 3 ? "triangle.single_layer" : "segment.single_layer", "", {}),
-        doubled_(d_ == 3 ? "triangle.double_layer" : "segment.double_layer", "", {}) {}
+        single_(recommended(d_ == 3 ? "triangle.single_layer" : "segment.single_layer")),
+        doubled_(recommended(d_ == 3 ? "triangle.double_layer" : "segment.double_layer")) {}
 
   // Calls use(point, slopes) for each point.
   template <class Use>
@@ -34,42 +30,38 @@ class ElementSlopes {
     for (BatchOutput<double>& output : outputs) output.entries = 1, output.dim = d_;
     outputs[0].tensors[0] = single.data(), outputs[0].stride[0] = 1;
     outputs[1].tensors[0] = doubled.data(), outputs[1].stride[0] = width;
-    const Evaluation* const members[2]{&single_.evaluation(), &doubled_.evaluation()};
+    const Evaluation* const members[2]{&single_, &doubled_};
     Evaluation::together<double>(members, Batch<double>{corners, points, 0, {}}, outputs);
     for (std::size_t p = 0; p < n; ++p) {
       const double* const of = &doubled[p * width];
-      use(p, d_ == 3 ? fast::triangle_layer_slopes({corners[0], corners[1], corners[2]}, points[p], single[p],
-                                                   {of[0], of[1], of[2]})
-                     : fast::segment_layer_slopes({corners[0], corners[1]}, points[p], single[p], {of[0], of[1]}));
+      use(p, d_ == 3 ? triangle_layer_slopes({corners[0], corners[1], corners[2]}, points[p], single[p],
+                                             {of[0], of[1], of[2]})
+                     : segment_layer_slopes({corners[0], corners[1]}, points[p], single[p], {of[0], of[1]}));
     }
   }
 
  private:
+  static Evaluation recommended(std::string_view formula) {
+    return EvaluationRegister::instance().with_role(formula, Role::Recommended).value();
+  }
+
   const CageElements& elements_;
   int d_;
-  ElementFormula single_, doubled_;
+  Evaluation single_, doubled_;
 };
 
-}  // namespace
-
-void check_rest_slopes(const CageCoordinates& coordinates) {
-  if (coordinates.kind().name != "green")
-    throw InputError(
-        fmt::format("{}: coordinates have no derivatives by the rest cage's vertices yet; those of green "
-                    "have, in space and in the plane",
-                    coordinates.kind().name));
-}
-
-void rest_jvp(const CageCoordinates& coordinates, std::span<const Vec3<double>> points,
-              std::span<const Vec3<double>> change, int threads, std::span<double> values) {
+void jvp(const CageCoordinates& coordinates, std::span<const Vec3<double>> points, std::span<const Vec3<double>> change,
+         int threads, std::span<double> values) {
   const CageElements& elements = coordinates.elements();
   const ElementSlopes slopes(elements);
   const std::size_t n = elements.vertices().size(), row = n + elements.count();
   std::ranges::fill(values, 0.0);
-  for_blocks(points.size(), threads, [&](std::size_t first, std::size_t count) {
+  constexpr std::size_t together = 64;
+  for_each_parallel((points.size() + together - 1) / together, threads, [&](std::size_t block) {
+    const std::size_t first = block * together, count = std::min(together, points.size() - first);
     for (std::size_t e = 0; e < elements.count(); ++e) {
       const auto vertices = elements.vertices_of(e);
-      slopes.at(e, points.subspan(first, count), [&](std::size_t p, const fast::LayerSlopes& by) {
+      slopes.at(e, points.subspan(first, count), [&](std::size_t p, const LayerSlopes& by) {
         double* const to = &values[(first + p) * row];
         for (std::size_t m = 0; m < vertices.size(); ++m) {
           const Vec3<double>& step = change[vertices[m]];
@@ -81,8 +73,8 @@ void rest_jvp(const CageCoordinates& coordinates, std::span<const Vec3<double>> 
   });
 }
 
-std::vector<Vec3<double>> rest_vjp(const CageCoordinates& coordinates, std::span<const Vec3<double>> points,
-                                   std::span<const double> weights, int threads) {
+std::vector<Vec3<double>> vjp(const CageCoordinates& coordinates, std::span<const Vec3<double>> points,
+                              std::span<const double> weights, int threads) {
   const CageElements& elements = coordinates.elements();
   const ElementSlopes slopes(elements);
   const std::size_t n = elements.vertices().size(), row = n + elements.count();
@@ -94,7 +86,7 @@ std::vector<Vec3<double>> rest_vjp(const CageCoordinates& coordinates, std::span
     of_corners[e].fill(Vec3<double>::Zero());
     for (std::size_t first = 0; first < points.size(); first += together) {
       const std::size_t count = std::min(together, points.size() - first);
-      slopes.at(e, points.subspan(first, count), [&](std::size_t p, const fast::LayerSlopes& by) {
+      slopes.at(e, points.subspan(first, count), [&](std::size_t p, const LayerSlopes& by) {
         const double* const weight = &weights[(first + p) * row];
         for (std::size_t m = 0; m < vertices.size(); ++m) {
           of_corners[e][m] += weight[n + e] * by.single[m];
@@ -111,4 +103,7 @@ std::vector<Vec3<double>> rest_vjp(const CageCoordinates& coordinates, std::span
   return found;
 }
 
-}  // namespace cageproof::library
+const RegisterRestDerivative registered{{.kind = "green", .jvp = jvp, .vjp = vjp}};
+
+}  // namespace
+}  // namespace cageproof::fast
