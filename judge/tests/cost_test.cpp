@@ -38,7 +38,8 @@ void expect_at_most(double bound, const std::string& what, const std::string& ho
   EXPECT_LT(found, bound) << how;
 }
 
-// Bounds are ten times what a quiet machine takes at most, since tests run beside others, and under sanitizers.
+// The goals are 20 us a line and 1 us a point in a block. Bounds are ten times these, since tests run beside others,
+// and under sanitizers.
 TEST(judge_cost, of_a_line_is_far_below_a_millisecond) {
   expect_at_most(200, JUDGED_QUICK, "program", 2000, 1);
   expect_at_most(200, JUDGED_QUICK, "program", 40, 64);

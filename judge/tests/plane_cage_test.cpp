@@ -132,12 +132,16 @@ TEST(plane_cage, unsigned_angles_are_wrong_in_an_arrowhead) {
   EXPECT_EQ(keys_in(judge_whole_cage(positive, kKind, 2)), "wrong_values");
 }
 
-TEST(plane_cage, kinds_of_the_suite_are_clean) {
-  for (const std::string_view kind : {"mean_value", "green", "biharmonic"}) {
-    const CageVerdict verdict = judge_whole_cage([=](const CageQuestion& q) { return suite(q, kind); }, kind, 2);
-    EXPECT_EQ(keys_in(verdict), "") << kind;
-    ASSERT_TRUE(verdict.convention) << kind;
-    EXPECT_EQ(verdict.convention->sentence, "yours is ours") << kind;
+// Blocks have different powers of the unit of length, in the plane with its logarithm.
+TEST(plane_cage, kinds_of_the_suite_are_clean_in_both_dimensions) {
+  for (const int dimension : {2, 3}) {
+    for (const std::string_view kind : {"mean_value", "green", "biharmonic"}) {
+      const CageVerdict verdict =
+          judge_whole_cage([=](const CageQuestion& q) { return suite(q, kind); }, kind, dimension);
+      EXPECT_EQ(keys_in(verdict), "") << kind << dimension;
+      ASSERT_TRUE(verdict.convention) << kind << dimension;
+      EXPECT_EQ(verdict.convention->sentence, "yours is ours") << kind << dimension;
+    }
   }
 }
 
