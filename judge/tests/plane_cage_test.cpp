@@ -132,7 +132,6 @@ TEST(plane_cage, unsigned_angles_are_wrong_in_an_arrowhead) {
   EXPECT_EQ(keys_in(judge_whole_cage(positive, kKind, 2)), "wrong_values");
 }
 
-// Blocks have different powers of the unit of length, in the plane with its logarithm.
 TEST(plane_cage, kinds_of_the_suite_are_clean_in_both_dimensions) {
   for (const int dimension : {2, 3}) {
     for (const std::string_view kind : {"mean_value", "green", "biharmonic"}) {
