@@ -15,7 +15,7 @@ libeigen3-dev            vectors and matrices
 libboost-dev             multiprecision numbers (Boost.Multiprecision), special constants, quadrature
 libmpfr-dev              arithmetic with 50 to 200 digits, under Boost.Multiprecision
 libgmp-dev               integers under MPFR
-libcgal-dev              exact predicates: on which side of a plane or an edge a point lies
+libcgal-dev              exact predicates: on which side of a plane or an edge a point lies; a test judges its mean value coordinates
 libflint-arb-dev         ball arithmetic (Arb): enclosures that are proofs
 libflint-dev             integers and polynomials under Arb
 libvtk9-dev              reads PLY and VTP; writes fields for ParaView and pictures

@@ -29,6 +29,7 @@ struct Arguments {
   judge::ElementCampaignOptions options;
   judge::Limits limits;
   double promise = std::numeric_limits<double>::quiet_NaN(), memory = 4;
+  int dimension = 3;
   bool strict = false, inputs = false;
 };
 
@@ -75,9 +76,9 @@ void judge_formula(judge::Certificate& c, judge::ForeignCode& code, const Formul
 
 // Adds coordinates of whole cages to the certificate: their defects by name, their errors.
 void judge_kind(judge::Certificate& c, judge::ForeignCode& code, std::string_view kind, const std::string& name,
-                const judge::ElementCampaignOptions& options) {
-  const judge::CageVerdict verdict = judge::judge_whole_cage(judge::whole_cage_function(code, kind), kind);
-  c.formulas.push_back(judge::run_cage_campaign(code, kind, name, options, verdict.convention));
+                const judge::ElementCampaignOptions& options, int dimension) {
+  const judge::CageVerdict verdict = judge::judge_whole_cage(judge::whole_cage_function(code, kind), kind, dimension);
+  c.formulas.push_back(judge::run_cage_campaign(code, kind, name, options, verdict.convention, dimension));
   c.findings = judge::named_findings(verdict, kind);
   const auto found = judge::beside_named(judge::findings_of({c.formulas.back()}, {}), !verdict.findings.empty());
   c.findings.insert(c.findings.end(), found.begin(), found.end());
@@ -117,8 +118,9 @@ void print(const judge::Certificate& c, const Arguments& a) {
                c.promise->is_kept
                    ? "kept"
                    : fmt::format("BROKEN in {} rows, as {}", c.promise->broken.size(), c.promise->broken.front()));
-  const std::string judged =
-      !a.kind.empty() ? a.kind : fmt::format("{} formula{}", c.formulas.size(), c.formulas.size() == 1 ? "" : "s");
+  const std::string judged = !a.kind.empty()
+                                 ? a.kind + (a.dimension == 2 ? " in the plane" : "")
+                                 : fmt::format("{} formula{}", c.formulas.size(), c.formulas.size() == 1 ? "" : "s");
   fmt::print("{}: {}; {} samples a regime, {}\n", c.name,
              c.has_defects()    ? "DEFECTS"
              : c.is_undecided() ? "undecided: rows without a sample, or inputs that it declined"
@@ -144,8 +146,8 @@ int run(Arguments& a) {
   std::vector<std::string_view> regimes;
   for (const validation::Regime& regime : validation::regimes()) regimes.push_back(regime.name);
   if (!a.kind.empty()) {
-    judge::require_judged_kind(a.kind);
-    regimes = judge::cage_regimes();
+    judge::require_judged_kind(a.kind, a.dimension);
+    regimes = judge::cage_regimes(a.dimension);
   }
   require_known("regime", a.options.regimes, regimes);
   a.limits.memory = static_cast<std::uint64_t>(std::ldexp(a.memory, 30));
@@ -176,7 +178,7 @@ int run(Arguments& a) {
   if (a.kind.empty()) {
     judge_formulas(c, code, a, formulas);
   } else {
-    judge_kind(c, *code, a.kind, name, a.options);
+    judge_kind(c, *code, a.kind, name, a.options, a.dimension);
     std::cout << judge::table_of(c.formulas.back(), a.inputs);
   }
   const bool has_rows = std::ranges::any_of(c.formulas, [](const auto& one) { return !one.rows.empty(); });
@@ -208,11 +210,16 @@ void add_judge(CommandLine& line, const std::string& command_line) {
       .taking("NAME=WHAT");
   Option formula = command.option("--formula,--formulas", a->formulas, "which; without, all that the code says it has")
                        .taking("FORMULAS");
-  command
-      .option("--kind", a->kind,
-              "coordinates of whole cages instead: mean_value, green or another kind with numbers for coordinates")
-      .taking("KIND")
-      .excludes(formula);
+  Option kind =
+      command
+          .option("--kind", a->kind,
+                  "coordinates of whole cages instead: mean_value, green or another kind with numbers for coordinates")
+          .taking("KIND")
+          .excludes(formula);
+  command.option("--dimension", a->dimension, "of the cages: 3, triangles in space, or 2, polygons in the plane")
+      .in_range(2, 3)
+      .showing_default()
+      .needs(kind);
   command.option("--regimes,--regime", a->options.regimes, "how points sit to elements")
       .taking("REGIMES")
       .showing_default();
@@ -252,6 +259,7 @@ void add_judge(CommandLine& line, const std::string& command_line) {
   command.example("cageproof judge mine=./libmine.so --out certificate");
   command.example("cageproof judge mine='python3 mine.py' --formula triangle.solid_angle --promise 1e-10");
   command.example("cageproof judge mine='python3 mine.py' --kind mean_value");
+  command.example("cageproof judge mine='python3 mine.py' --kind mean_value --dimension 2");
   command.example("cageproof judge --template c --out example");
   command.runs([a] { return run(*a); });
 }

@@ -65,8 +65,9 @@ def main():
     run("judge", "mine='" + str(PROGRAM) + "' eval --evaluation plain", "--formula", "segment.winding_angle", "--samples", "10", "--promise", "1e-10", "--out", "element", "--quiet", codes=(0, 1))
     run("judge", "--template", "python-cage")
     run("judge", "mine=./mine_cage.py", "--kind", "mean_value", "--samples", "5", "--out", "whole", "--quiet")
+    run("judge", "mine=./mine_cage.py", "--kind", "mean_value", "--dimension", "2", "--samples", "5", "--out", "plane", "--quiet")
     run("judge", f"mine={JUDGE}/tests/programs/threshold.py", "--samples", "10", "--regimes", "generic", "--out", "defect", "--quiet", codes=(1,))
-    certificates = [json.loads(Path(folder, "certificate.json").read_text()) for folder in ("element", "whole", "defect")]
+    certificates = [json.loads(Path(folder, "certificate.json").read_text()) for folder in ("element", "whole", "plane", "defect")]
     assert any(one["findings"] for one in certificates) and any(one["promise"] for one in certificates)
     check("certificate", certificates)
     questions = [
@@ -77,6 +78,7 @@ def main():
     ]
     answers = run("eval", "--evaluation", "closed_form", text="".join(json.dumps(q) + "\n" for q in questions), codes=(0, 2))
     questions.append({"kind": "mean_value", "vertices": [[0, 0, 0]], "faces": [[0, 1, 2]], "points": [[0, 0, 1]]})
+    questions.append({"kind": "mean_value", "vertices": [[0, 0]], "faces": [[0, 1]], "points": [[0, 1]]})
     check("eval-question", questions)
     quad = {"element": [[0, 0, 0], [1, 0, 0], [1, 1, 0.25], [0, 1, 0]], "point": [0.25, 0.5, 1]}
     answers += run("eval", "--formula", "quad.mean_value", "--evaluation", "riemann-16", "--steps", text=json.dumps(quad) + "\n")

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The interface of a library that `cageproof judge NAME=./libmine.so` judges: C99, no dependency, any language that can
  * export C functions. The library runs in a process of its own.
- *
  * Element: corners in the order of docs/coordinates.md, three coordinates each (two in the plane, for segments), as the
  * points. Face normals follow the right hand rule; derivatives are with respect to the point.
  * Formulas are those of `cageproof list`: "triangle.single_layer", "triangle.double_layer", "segment.mean_value" ... */
@@ -36,7 +35,7 @@ CAGEPROOF_JUDGE_EXPORT int cageproof_judge_version(void);
 /* Optional: name and version of what is judged, in one line, for the certificate. The text stays the library's. */
 CAGEPROOF_JUDGE_EXPORT const char* cageproof_judge_about(void);
 
-/* A library is asked for elements (the next two functions), whole cages (the last function), or both.
+/* A library is asked for elements (the next two functions), whole cages (the last two functions), or both.
  *
  * Elements: the highest derivative that the library gives of a formula: 0 value, 1 gradient, 2 Hessian; -1 where it
  * does not have the formula. */
@@ -81,13 +80,16 @@ CAGEPROOF_JUDGE_EXPORT int cageproof_judge_float(const cageproof_judge_block* bl
 typedef struct cageproof_judge_cage {
   const char* kind;
   size_t vertex_count, face_count;
-  size_t coordinates; /* of a point */
-  size_t count;       /* points */
+  size_t coordinates, count; /* of a point; points */
 } cageproof_judge_cage;
 
 /* Whole cages, in double. Returns CAGEPROOF_JUDGE_DONE or CAGEPROOF_JUDGE_DECLINED. */
 CAGEPROOF_JUDGE_EXPORT int cageproof_judge_coordinates(const cageproof_judge_cage* cage, const double* vertices,
                                                        const int* faces, const double* points, double* coordinates);
+/* Polygons in the plane, optional: [vertex][2], [segment][2], [point][2]; segments have the cage on their left. */
+CAGEPROOF_JUDGE_EXPORT int cageproof_judge_plane_coordinates(const cageproof_judge_cage* cage, const double* vertices,
+                                                             const int* segments, const double* points,
+                                                             double* coordinates);
 
 /* NOLINTEND(readability-identifier-naming) */
 

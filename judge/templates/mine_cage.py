@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A program for `cageproof judge --kind`: mean value coordinates of a whole cage. Replace `coordinates` by yours.
+"""A program for `cageproof judge --kind`: mean value coordinates of a whole cage. Replace `coordinates`, or for polygons in the plane
+`plane_coordinates`, by yours.
 
   chmod +x mine_cage.py
   cageproof judge mine=./mine_cage.py --kind mean_value
+  cageproof judge mine=./mine_cage.py --kind mean_value --dimension 2
 """
 import json
 import sys
@@ -11,11 +13,11 @@ from math import atan2, hypot
 
 
 def minus(a, b):
-    return [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+    return [x - y for x, y in zip(a, b)]
 
 
 def dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    return sum(x * y for x, y in zip(a, b))
 
 
 def cross(a, b):
@@ -57,11 +59,38 @@ def coordinates(vertices, faces, point):
     return [w / total for w in weights]
 
 
+def plane_coordinates(vertices, segments, point):
+    """One number per vertex (M. Floater, "Mean value coordinates", CAGD 2003): tangents of half the angles that segments are seen under, over distances.
+
+    A tangent comes from the angle's cosine and the area, of the two forms the one without cancellation; there is no threshold.
+    """
+    d = [minus(v, point) for v in vertices]
+    weights = [0.0] * len(vertices)
+    for i, j in segments:
+        a, b = d[i], d[j]
+        side, product, inner = minus(b, a), hypot(*a) * hypot(*b), dot(a, b)
+        nearer = a if dot(a, a) <= dot(b, b) else b
+        area = nearer[0] * side[1] - nearer[1] * side[0]
+        if area == 0:
+            if inner <= 0:
+                # On the segment, or at one of its ends.
+                weights = [0.0] * len(vertices)
+                weights[i], weights[j] = (hypot(*x) / (hypot(*a) + hypot(*b)) for x in (b, a))
+                return weights
+            continue  # in its line, beside it: it is seen end-on
+        tangent = (product - inner) / area if inner < 0 else area / (product + inner)
+        weights[i] += tangent / hypot(*a)
+        weights[j] += tangent / hypot(*b)
+    total = sum(weights)
+    return [w / total for w in weights]
+
+
 def answer(query):
     """The answer to one line; an answer with "error" says that this one is not there."""
     if query.get("kind") != "mean_value":
         return {"error": "mean_value only"}
-    return {"coordinates": [coordinates(query["vertices"], query["faces"], point) for point in query["points"]]}
+    f = plane_coordinates if len(query["vertices"][0]) == 2 else coordinates
+    return {"coordinates": [f(query["vertices"], query["faces"], point) for point in query["points"]]}
 
 
 for line in sys.stdin:

@@ -186,6 +186,7 @@ def judge(
     seconds: float = 10,
     isolate: bool = True,
     program: Optional[str] = None,
+    dimension: int = 3,
 ) -> Dict[str, Any]:
     """The certificate of `cageproof judge` (docs/judge.md, docs/schemas) for a callable, as a dict: "verdict" is "clean" unless a
     defect was found or the promise broken; "findings" says what, where and with which input.
@@ -196,7 +197,8 @@ def judge(
     exception is a finding.
 
     name may also be a kind of coordinates ("mean_value", "green"), of whole cages of triangles: f(vertices, faces, points) of arrays
-    (n, 3), (m, 3) and (k, 3) gives one row of coordinates per point, those of vertices before those of faces.
+    (n, 3), (m, 3) and (k, 3) gives one row of coordinates per point, those of vertices before those of faces. With dimension=2 cages
+    are polygons in the plane, faces their segments, and the arrays (n, 2), (m, 2) and (k, 2).
 
     samples, regimes, seed, promise, measure, seconds: as of the command. isolate: f runs in forked copies of this process, so that
     crashes, endless loops and kept state are found; without, in a thread of it. program: the file of `cageproof`; else
@@ -208,6 +210,8 @@ def judge(
     kind = name in names("kinds")
     if kind and order:
         raise Error(f"{name} is a kind of coordinates: only values (order 0) are judged")
+    if dimension not in (2, 3) or (dimension == 2 and not kind):
+        raise Error(f"dimension {dimension}: 2 or 3 for a kind of coordinates; a formula has its own")
     if not kind:
         formula(name)  # an unknown name
     answers, found = (_CageAnswers if kind else _Answers)(name, f, order), _program(program)
@@ -216,7 +220,7 @@ def judge(
         listening.listen()
         what = shlex.join([sys.executable or "python3", "-I", "-S", str(_RELAY), f"{folder}/socket"])
         words = ["judge", f"callable={what}", "--kind" if kind else "--formula", name, "--samples", samples, "--regimes", regimes]
-        words += ["--seed", seed, "--seconds", seconds]
+        words += ["--seed", seed, "--seconds", seconds, *(["--dimension", dimension] if kind else [])]
         if promise is not None:
             words += ["--promise", promise, "--measure", measure]
         done = _run([found, *map(str, words), "--quiet", "--out", f"{folder}/out"], listening, answers, isolate)

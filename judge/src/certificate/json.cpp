@@ -42,10 +42,13 @@ Json json_of(const SubjectCampaign& campaign) {
   for (const PairTime& time : campaign.times)
     times.push_back(
         {{"evaluation", time.evaluation}, {"order", time.order}, {"nanoseconds_per_pair", number(time.nanoseconds)}});
-  return {{campaign.is_kind ? "kind" : "formula", campaign.subject},
-          {"highest_order", campaign.order},
-          {"rows", rows},
-          {"times", times}};
+  Json found;
+  found[campaign.is_kind ? "kind" : "formula"] = campaign.subject;
+  if (campaign.is_kind) found["dimension"] = campaign.dimension;
+  found["highest_order"] = campaign.order;
+  found["rows"] = rows;
+  found["times"] = times;
+  return found;
 }
 
 Json json_of(const CodeFinding& finding) {

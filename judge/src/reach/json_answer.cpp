@@ -4,6 +4,7 @@
 #include "cageproof/core/numbers/scalar_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -59,11 +60,11 @@ void add_members(std::string& text, const Formula& formula, const Asked& asked, 
 }
 
 void add_points(std::string& text, const std::vector<double>& numbers, std::size_t begin, std::size_t end,
-                const AddNumber& add) {
+                int dimension, const AddNumber& add) {
   text += '[';
   for (std::size_t i = begin; i < end; ++i) {
     if (i > begin) text += ',';
-    add_point(text, numbers.data() + 3 * i, 3, add);
+    add_point(text, numbers.data() + static_cast<std::size_t>(dimension) * i, dimension, add);
   }
   text += ']';
 }
@@ -72,13 +73,14 @@ void add_points(std::string& text, const std::vector<double>& numbers, std::size
 void add_cage(std::string& text, std::string_view kind, const Asked& asked, std::size_t begin, std::size_t end,
               const AddNumber& add) {
   fmt::format_to(std::back_inserter(text), "{{\"kind\":\"{}\",\"vertices\":", kind);
-  add_points(text, asked.corners, 0, asked.corners.size() / 3, add);
+  const auto dimension = static_cast<std::size_t>(asked.dimension);
+  add_points(text, asked.corners, 0, asked.corners.size() / dimension, asked.dimension, add);
   text += ",\"faces\":[";
-  for (std::size_t f = 0; f + 2 < asked.faces.size(); f += 3)
-    fmt::format_to(std::back_inserter(text), "{}[{},{},{}]", f > 0 ? "," : "", asked.faces[f], asked.faces[f + 1],
-                   asked.faces[f + 2]);
+  for (std::size_t f = 0; f + dimension <= asked.faces.size(); f += dimension)
+    fmt::format_to(std::back_inserter(text), "{}[{}]", f > 0 ? "," : "",
+                   fmt::join(std::span(asked.faces).subspan(f, dimension), ","));
   text += "],\"points\":";
-  add_points(text, asked.points, begin, end, add);
+  add_points(text, asked.points, begin, end, asked.dimension, add);
   text += '}';
 }
 
@@ -170,7 +172,7 @@ LineAnswer parse_answer(std::string_view line, const Request& request, const Ask
   const Formula* const formula = request.formula;
   std::size_t size =
       formula != nullptr ? static_cast<std::size_t>(formula->components()) : asked.count * asked.coordinates;
-  const std::size_t dimension = formula != nullptr ? static_cast<std::size_t>(formula->dim()) : 3;
+  const std::size_t dimension = formula != nullptr ? static_cast<std::size_t>(formula->dim()) : 1;
   answer.kind = LineAnswer::Kind::Given;
   for (int o = 0; o <= request.order; ++o, size *= dimension) {
     const char* const key = formula != nullptr ? keys[o] : "coordinates";

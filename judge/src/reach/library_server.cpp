@@ -32,6 +32,7 @@ struct Library {
   decltype(&cageproof_judge_double) in_double;
   decltype(&cageproof_judge_float) in_float;
   decltype(&cageproof_judge_coordinates) coordinates;
+  decltype(&cageproof_judge_plane_coordinates) plane_coordinates;
 };
 
 template <class F>
@@ -52,8 +53,10 @@ bool load(const char* path, Library& library) {
   find(handle, "cageproof_judge_double", library.in_double);
   find(handle, "cageproof_judge_float", library.in_float);
   find(handle, "cageproof_judge_coordinates", library.coordinates);
+  find(handle, "cageproof_judge_plane_coordinates", library.plane_coordinates);
   const bool has_elements = library.order != nullptr && library.in_double != nullptr;
-  if (library.version == nullptr || (library.coordinates == nullptr && !has_elements)) {
+  const bool has_cages = library.coordinates != nullptr || library.plane_coordinates != nullptr;
+  if (library.version == nullptr || (!has_cages && !has_elements)) {
     std::fprintf(stderr, "%s exports no %s: include cageproof_judge.h and define it (in C++ as extern \"C\")\n", path,
                  library.version == nullptr ? "cageproof_judge_version"
                  : library.order == nullptr ? "cageproof_judge_order"
@@ -172,7 +175,9 @@ void evaluate_cage(const Library& library, double* words) {
   const GroupLayout at(header_words, h, count);
   const std::size_t vertex_numbers = at.parameters - at.corners, face_numbers = at.points - at.parameters;
   const std::size_t point_numbers = at.tensors[0] - at.points;
-  const cageproof_judge_cage cage{h.formula, vertex_numbers / 3, face_numbers / 3,
+  const auto dimension = static_cast<std::size_t>(h.dimension);
+  const auto function = h.dimension == 2 ? library.plane_coordinates : library.coordinates;
+  const cageproof_judge_cage cage{h.formula, vertex_numbers / dimension, face_numbers / dimension,
                                   static_cast<std::size_t>(h.components), static_cast<std::size_t>(count)};
   double* const vertices = copied<double>(arrays->vertices, words + at.corners, vertex_numbers);
   int* const faces = copied<int>(arrays->faces, words + at.parameters, face_numbers);
@@ -180,9 +185,8 @@ void evaluate_cage(const Library& library, double* words) {
   double* const coordinates = arrays->coordinates.take<double>(at.sizes[0]);
   std::fill_n(coordinates, at.sizes[0], std::bit_cast<double>(unset_double));
   const auto start = std::chrono::steady_clock::now();
-  const std::int64_t code = library.coordinates == nullptr
-                                ? CAGEPROOF_JUDGE_DECLINED
-                                : library.coordinates(&cage, vertices, faces, points, coordinates);
+  const std::int64_t code =
+      function == nullptr ? CAGEPROOF_JUDGE_DECLINED : function(&cage, vertices, faces, points, coordinates);
   shared->nanoseconds = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
   std::memcpy(words + at.code, &code, sizeof code);
   bool changed =

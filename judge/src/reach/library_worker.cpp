@@ -89,8 +89,8 @@ class LibraryWorker final : public Worker {
     name(header, request.subject());
     if (request.formula == nullptr) {
       header.op = SharedHeader::Coordinates;
-      header.dimension = 3;
-      header.corner_count = static_cast<std::int32_t>(asked.corners.size() / 3);
+      header.dimension = asked.dimension;
+      header.corner_count = static_cast<std::int32_t>(asked.corners.size()) / asked.dimension;
       header.parameter_count = static_cast<std::int32_t>(asked.faces.size());
       header.components = static_cast<std::int32_t>(asked.coordinates);
       return header;

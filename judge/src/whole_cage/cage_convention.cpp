@@ -24,12 +24,12 @@ constexpr double kTolerance = 1e-9;
 struct Layout {
   std::vector<std::size_t> sizes;
   std::vector<bool> of_faces;
-  std::vector<double> areas;
+  std::vector<double> areas;  // in the plane lengths
   std::size_t all = 0;
 };
 
 Layout layout_of(const CageQuestion& question, std::string_view kind) {
-  const CageCoordinates coordinates(triangle_cage(question), coordinate_kind_named(kind), CoordinateOptions{});
+  const CageCoordinates coordinates(question.cage(), coordinate_kind_named(kind), CoordinateOptions{});
   Layout layout;
   for (const CoordinateBlock& block : coordinates.blocks()) {
     layout.sizes.push_back(static_cast<std::size_t>(block.size));
@@ -40,7 +40,8 @@ Layout layout_of(const CageQuestion& question, std::string_view kind) {
     const auto corner = [&](int k) -> const Vec3<double>& {
       return question.vertices[static_cast<std::size_t>(face[k])];
     };
-    layout.areas.push_back((corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2);
+    layout.areas.push_back(question.dimension == 2 ? (corner(1) - corner(0)).norm()
+                                                   : (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2);
   }
   return layout;
 }
@@ -110,25 +111,26 @@ std::vector<CageConvention::Block> fit(std::span<const Pair> pairs, std::span<co
   return blocks;
 }
 
-std::string block_text(const CageConvention::Block& block, std::string_view label) {
+std::string block_text(const CageConvention::Block& block, std::string_view label, int dimension) {
   std::string text;
   if (block.factor != 1) {
     const std::string name = name_of_constant(block.factor);
     text = name.empty() ? fmt::format(" times {:.12g} (a constant without a name)", block.factor) : " times " + name;
   }
-  if (block.area_power > 0) text += " times the face's area";
-  if (block.area_power < 0) text += " divided by the face's area";
+  const std::string_view size = dimension == 2 ? "the segment's length" : "the face's area";
+  if (block.area_power > 0) text += fmt::format(" times {}", size);
+  if (block.area_power < 0) text += fmt::format(" divided by {}", size);
   return text.empty() ? text : fmt::format("{}{}", label, text);
 }
 
-std::string sentence_of(const std::vector<CageConvention::Block>& blocks, std::string_view kind) {
+std::string sentence_of(const std::vector<CageConvention::Block>& blocks, std::string_view kind, int dimension) {
   const CoordinateKind& row = coordinate_kind_named(kind);
   std::string text = "yours is ours", order;
   const char* word = " with ";
   bool is_negative = false, is_ordered = true;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const std::string_view label = row.blocks[blocks[k].ours].label;
-    if (const std::string part = block_text(blocks[k], label); !part.empty()) {
+    if (const std::string part = block_text(blocks[k], label, dimension); !part.empty()) {
       text += word + part;
       word = ", ";
     }
@@ -166,9 +168,10 @@ std::vector<double> CageConvention::in_ours(const CageQuestion& question, std::s
   return ours;
 }
 
-std::optional<CageConvention> find_cage_convention(const WholeCageFunction& theirs, std::string_view kind) {
+std::optional<CageConvention> find_cage_convention(const WholeCageFunction& theirs, std::string_view kind,
+                                                   int dimension) {
   std::vector<Pair> pairs;
-  for (CageSample& sample : cage_samples(kind, 1)) {
+  for (CageSample& sample : cage_samples(kind, 1, dimension)) {
     if (sample.face >= 0) continue;
     Pair pair{layout_of(sample.question, kind), std::move(sample.truth), theirs(sample.question)};
     if (pair.theirs.size() != pair.layout.all) return std::nullopt;
@@ -179,7 +182,7 @@ std::optional<CageConvention> find_cage_convention(const WholeCageFunction& thei
   do {
     auto blocks = fit(pairs, order);
     if (blocks.empty()) continue;
-    std::string sentence = sentence_of(blocks, kind);
+    std::string sentence = sentence_of(blocks, kind, dimension);
     return CageConvention{std::move(blocks), std::move(sentence)};
   } while (std::ranges::next_permutation(order).found);
   return std::nullopt;

@@ -17,15 +17,16 @@ constexpr int kAttempts = 100;
 CageQuestion question_of(std::string_view embedded, double unit, const Vec3<double>& offset) {
   const CageElements elements(embedded_cage(embedded), false, Triangulation::Shortest);
   CageQuestion question;
+  question.dimension = elements.dimension();
   for (const Vec3<double>& vertex : elements.vertices()) question.vertices.emplace_back((vertex + offset) * unit);
   for (std::size_t e = 0; e < elements.count(); ++e) {
     const auto face = elements.vertices_of(e);
-    question.faces.push_back({face[0], face[1], face[2]});
+    question.faces.push_back({face[0], face[1], face.size() > 2 ? face[2] : -1});
   }
   return question;
 }
 
-std::vector<CagePlaces> made(std::string_view regime) {
+std::vector<CagePlaces> made_in_space(std::string_view regime) {
   const Vec3<double> origin = Vec3<double>::Zero();
   std::vector<CagePlaces> places;
   // Only on faces along the axes do doubles lie exactly.
@@ -41,19 +42,26 @@ std::vector<CagePlaces> made(std::string_view regime) {
   return places;
 }
 
-}  // namespace
-
-Cage triangle_cage(const CageQuestion& question) {
-  std::vector<Face> faces;
-  faces.reserve(question.faces.size());
-  for (const auto& face : question.faces) faces.push_back({{face[0], face[1], face[2], -1}});
-  return Cage::make("judged", question.vertices, faces);
+std::vector<CagePlaces> made_in_plane(std::string_view regime) {
+  const Vec3<double> origin = Vec3<double>::Zero();
+  std::vector<CagePlaces> places;
+  if (regime.starts_with("on-"))
+    for (const std::string_view name : {"square", "l-shape", "comb", "frame"}) places.emplace_back(name, 1, origin);
+  else if (regime == "units")
+    for (const double unit : {0x1p-30, 0x1p30, 0x1p-10, 0x1p10}) places.emplace_back("star", unit, origin);
+  else if (regime == "offset")
+    for (const double far : {1e2, 1e4}) places.emplace_back("star", 1, Vec3<double>(far, -far, 0));
+  else
+    for (const std::string_view name : {"square", "l-shape", "star", "comb", "thin-bar", "frame", "figure"})
+      places.emplace_back(name, 1, origin);
+  return places;
 }
+
+}  // namespace
 
 CagePlaces::CagePlaces(std::string_view embedded, double unit, const Vec3<double>& offset)
     : question_(question_of(embedded, unit, offset)),
-      winding_(
-          std::make_shared<WindingNumbers>(CageElements(triangle_cage(question_), false, Triangulation::Shortest))),
+      winding_(std::make_shared<WindingNumbers>(CageElements(question_.cage(), false, Triangulation::Shortest))),
       low_(question_.vertices[0]),
       high_(low_) {
   for (const Vec3<double>& vertex : question_.vertices) {
@@ -63,8 +71,8 @@ CagePlaces::CagePlaces(std::string_view embedded, double unit, const Vec3<double
 }
 
 Vec3<double> CagePlaces::anywhere(RandomStream& random) const {
-  Vec3<double> point;
-  for (int c = 0; c < 3; ++c) point[c] = random.uniform(low_[c], high_[c]);
+  Vec3<double> point = Vec3<double>::Zero();
+  for (int c = 0; c < question_.dimension; ++c) point[c] = random.uniform(low_[c], high_[c]);
   return point;
 }
 
@@ -72,12 +80,13 @@ Vec3<double> CagePlaces::anywhere(RandomStream& random) const {
 Vec3<double> CagePlaces::on_cage(std::string_view regime, RandomStream& random) const {
   const auto& face = question_.faces[static_cast<std::size_t>(random.below(static_cast<int>(question_.faces.size())))];
   int a = 1 + random.below(14), b = 1 + random.below(15 - a);
-  if (regime.ends_with("edge")) b = 16 - a;
+  if (regime.ends_with("edge")) b = question_.dimension == 2 ? 0 : 16 - a;
   if (regime.ends_with("vertex")) a = 16, b = 0;
   const auto corner = [&](int k) -> const Vec3<double>& {
     return question_.vertices[static_cast<std::size_t>(face[k])];
   };
-  return corner(0) + a / 16. * (corner(1) - corner(0)) + b / 16. * (corner(2) - corner(0));
+  const Vec3<double> along = corner(0) + a / 16. * (corner(1) - corner(0));
+  return b == 0 ? along : along + b / 16. * (corner(2) - corner(0));
 }
 
 std::optional<Vec3<double>> CagePlaces::point(std::string_view regime, std::uint64_t seed, std::uint64_t index) const {
@@ -96,17 +105,24 @@ std::optional<Vec3<double>> CagePlaces::point(std::string_view regime, std::uint
   return std::nullopt;
 }
 
-std::vector<std::string_view> cage_regimes() {
+std::vector<std::string_view> cage_regimes(int dimension) {
+  if (dimension == 2) return {"inside", "near-edge", "near-vertex", "on-edge", "on-vertex", "units", "offset"};
   return {"inside", "near-face", "near-edge", "near-vertex", "on-face", "on-edge", "on-vertex", "units", "offset"};
 }
 
-const std::vector<CagePlaces>& places_of(std::string_view regime) {
-  static const std::map<std::string_view, std::vector<CagePlaces>> all = [] {
-    std::map<std::string_view, std::vector<CagePlaces>> places;
-    for (const std::string_view one : cage_regimes()) places.emplace(one, made(one));
+const std::vector<CagePlaces>& places_of(std::string_view regime, int dimension) {
+  using All = std::map<std::string_view, std::vector<CagePlaces>>;
+  const auto of = [](int space, auto made) {
+    All places;
+    for (const std::string_view one : cage_regimes(space)) places.emplace(one, made(one));
     return places;
-  }();
-  return all.at(regime);
+  };
+  if (dimension == 2) {
+    static const All in_plane = of(2, made_in_plane);
+    return in_plane.at(regime);
+  }
+  static const All in_space = of(3, made_in_space);
+  return in_space.at(regime);
 }
 
 }  // namespace cageproof::judge

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Embedded cages as triangles, in a unit and place, and the points of each regime.
+// Embedded cages as triangles or segments, in a unit and place, and the points of each regime.
 #pragma once
 
 #include "cageproof/core/cage/winding_numbers.h"
@@ -17,9 +17,6 @@ class RandomStream;
 }
 
 namespace cageproof::judge {
-
-/// The question's cage.
-Cage triangle_cage(const CageQuestion& question);
 
 class CagePlaces {
  public:
@@ -41,6 +38,6 @@ class CagePlaces {
 };
 
 /// The cages of a regime, which it takes in turn.
-const std::vector<CagePlaces>& places_of(std::string_view regime);
+const std::vector<CagePlaces>& places_of(std::string_view regime, int dimension);
 
 }  // namespace cageproof::judge

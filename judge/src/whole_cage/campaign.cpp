@@ -25,7 +25,7 @@ constexpr double kRoundoff = 0x1p-53;
 class JudgedCage {
  public:
   JudgedCage(const CageQuestion& question, const CoordinateKind& kind)
-      : cage_(triangle_cage(question)), coordinates_(cage_, kind, CoordinateOptions{}) {
+      : cage_(question.cage()), coordinates_(cage_, kind, CoordinateOptions{}) {
     for (const Vec3<double>& vertex : question.vertices) reach_ = std::max(reach_, vertex.lpNorm<Eigen::Infinity>());
   }
 
@@ -73,10 +73,10 @@ class JudgedCage {
   double reach_ = 0;             // largest coordinate, whose rounding moves vertices and points
 };
 
-// The time for a point and a triangle, of the code and of the suite's own evaluations.
-std::vector<PairTime> cage_times(ForeignCode& code, std::string_view kind, const std::string& name) {
+// The time for a point and a triangle or segment, of the code and of the suite's own evaluations.
+std::vector<PairTime> cage_times(ForeignCode& code, std::string_view kind, const std::string& name, int dimension) {
   constexpr int repeats = 5, point_count = 200;
-  const CagePlaces places("icosphere", 1, Vec3<double>::Zero());
+  const CagePlaces places(dimension == 2 ? "figure" : "icosphere", 1, Vec3<double>::Zero());
   CageQuestion question = places.question();
   for (int i = 0; i < point_count; ++i)
     if (const auto point = places.point("inside", 1, static_cast<std::uint64_t>(i))) question.points.push_back(*point);
@@ -93,7 +93,7 @@ std::vector<PairTime> cage_times(ForeignCode& code, std::string_view kind, const
   }
   times.push_back({name, 0, least / pairs});
   for (const std::string_view evaluation : {std::string_view(), quickest}) {
-    const CageCoordinates own(triangle_cage(question), row, CoordinateOptions{std::string(evaluation)});
+    const CageCoordinates own(question.cage(), row, CoordinateOptions{std::string(evaluation)});
     std::vector<CoordinateTable<double>> tables;
     least = std::numeric_limits<double>::infinity();
     for (int repeat = 0; repeat < repeats; ++repeat) {
@@ -122,11 +122,13 @@ struct Asking {
 Asked asked_of(const CageQuestion& question) {
   Asked asked;
   asked.count = question.points.size();
+  asked.dimension = question.dimension;
   for (const Vec3<double>& vertex : question.vertices)
-    asked.corners.insert(asked.corners.end(), vertex.data(), vertex.data() + 3);
-  for (const auto& face : question.faces) asked.faces.insert(asked.faces.end(), face.begin(), face.end());
+    asked.corners.insert(asked.corners.end(), vertex.data(), vertex.data() + question.dimension);
+  for (const auto& face : question.faces)
+    asked.faces.insert(asked.faces.end(), face.begin(), face.begin() + question.dimension);
   for (const Vec3<double>& point : question.points)
-    asked.points.insert(asked.points.end(), point.data(), point.data() + 3);
+    asked.points.insert(asked.points.end(), point.data(), point.data() + question.dimension);
   return asked;
 }
 
@@ -141,15 +143,15 @@ WholeCageFunction whole_cage_function(ForeignCode& code, std::string_view kind) 
 
 SubjectCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, const std::string& name,
                                   const ElementCampaignOptions& options,
-                                  const std::optional<CageConvention>& convention) {
-  SubjectCampaign campaign{std::string(kind), true, 0, {}, {}};
+                                  const std::optional<CageConvention>& convention, int dimension) {
+  SubjectCampaign campaign{std::string(kind), true, 0, {}, {}, dimension};
   const CoordinateKind& row = coordinate_kind_named(kind);
   std::map<const CagePlaces*, std::unique_ptr<JudgedCage>> cages;
   std::vector<Asking> all;
-  for (const std::string_view regime : cage_regimes()) {
+  for (const std::string_view regime : cage_regimes(dimension)) {
     if (!matches(options.regimes, regime)) continue;
     Asking asking{regime, {}, {}, {}, {}, {}};
-    const auto& places = places_of(regime);
+    const auto& places = places_of(regime, dimension);
     for (int i = 0; i < options.samples; ++i) {
       const CagePlaces& place = places[static_cast<std::size_t>(i) % places.size()];
       const auto point = place.point(regime, options.seed, static_cast<std::uint64_t>(i));
@@ -178,8 +180,9 @@ SubjectCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, cons
     if (answer.status == Answer::Status::Given) {
       const std::vector<double>& p = asking->asked[i].points;
       const std::vector<double>& given = answer.tensors[0];
-      found = asking->cages[i]->measure(
-          {p[0], p[1], p[2]}, convention ? convention->in_ours(*asking->questions[i], row.name, given) : given);
+      found =
+          asking->cages[i]->measure({p[0], p[1], dimension == 2 ? 0 : p[2]},
+                                    convention ? convention->in_ours(*asking->questions[i], row.name, given) : given);
     } else {
       found.status = answer.status == Answer::Status::Declined ? Measured::Status::Declined : Measured::Status::Failed;
     }
@@ -189,7 +192,7 @@ SubjectCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, cons
   for (const Asking& asking : all)
     campaign.rows.push_back(row_of(std::string(asking.regime), 0, asking.measured,
                                    [&](std::size_t i) { return exact_line(request, asking.asked[i], 0); }));
-  campaign.times = cage_times(code, row.name, name);
+  campaign.times = cage_times(code, row.name, name, dimension);
   return campaign;
 }
 

@@ -12,9 +12,10 @@ namespace {
 struct Shape {
   std::vector<Vec3<double>> vertices;
   std::vector<std::array<int, 3>> faces;
+  int dimension = 3;
 };
 
-const std::vector<Shape>& shapes() {
+const std::vector<Shape>& shapes_in_space() {
   static const std::vector<Shape> all{
       {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}},
       {{{4, 0, 0}, {-4, 0, 0}, {0, 4, 0}, {0, -4, 0}, {0, 0, 4}, {0, 0, -4}},
@@ -23,29 +24,46 @@ const std::vector<Shape>& shapes() {
   return all;
 }
 
+// Two triangles, and an arrowhead, which its diagonal between vertices 0 and 2 halves.
+const std::vector<Shape>& shapes_in_plane() {
+  static const std::vector<Shape> all{
+      {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, -1}, {1, 2, -1}, {2, 0, -1}}, 2},
+      {{{0, 0, 0}, {4, -4, 0}, {1, 0, 0}, {4, 4, 0}}, {{0, 1, -1}, {1, 2, -1}, {2, 3, -1}, {3, 0, -1}}, 2},
+      {{{0, 0, 0}, {12, 0, 0}, {1, 4, 0}}, {{0, 1, -1}, {1, 2, -1}, {2, 0, -1}}, 2}};
+  return all;
+}
+
+const std::vector<Shape>& shapes(int dimension) { return dimension == 2 ? shapes_in_plane() : shapes_in_space(); }
+
 CageQuestion question_of(const Shape& shape, const Vec3<double>& point) {
-  return {shape.vertices, shape.faces, {point}};
+  return {shape.vertices, shape.faces, {point}, shape.dimension};
 }
 
 Vec3<double> inside(const Shape& shape, std::uint64_t index) {
   RandomStream random(3, "whole cage", index);
   Vec3<double> point = Vec3<double>::Zero();
   double sum = 0;
-  for (const auto& vertex : shape.vertices) {
-    const double weight = random.uniform(0.1, 1);
-    point += weight * vertex;
+  // The vertex of an arrowhead's other half.
+  const std::size_t left_out = shape.dimension == 3 || shape.vertices.size() == 3 ? shape.vertices.size()
+                               : index % 2 == 0                                   ? 3
+                                                                                  : 1;
+  for (std::size_t v = 0; v < shape.vertices.size(); ++v) {
+    const double weight = v == left_out ? 0 : random.uniform(0.1, 1);
+    point += weight * shape.vertices[v];
     sum += weight;
   }
   return point / sum;
 }
 
-// Barycentric coordinates in sixteenths of points within a face, on an edge, and at a corner.
+// Barycentric coordinates in sixteenths of points within a face, on an edge, and at a corner; and of points on a
+// segment.
 constexpr std::array<std::array<int, 3>, 4> kOnFaces{{{4, 5, 7}, {11, 3, 2}, {12, 4, 0}, {0, 16, 0}}};
+constexpr std::array<std::array<int, 3>, 4> kOnSegments{{{4, 12, 0}, {11, 5, 0}, {15, 1, 0}, {0, 16, 0}}};
 
 CageSample on_face(const Shape& shape, int face, const std::array<int, 3>& weights) {
   Vec3<double> point = Vec3<double>::Zero();
   std::vector<double> truth(shape.vertices.size(), 0.0);
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(shape.dimension); ++k) {
     const auto v = static_cast<std::size_t>(shape.faces[static_cast<std::size_t>(face)][k]);
     point += weights[k] / 16.0 * shape.vertices[v];
     truth[v] = weights[k] / 16.0;
@@ -53,49 +71,55 @@ CageSample on_face(const Shape& shape, int face, const std::array<int, 3>& weigh
   return {question_of(shape, point), truth, face};
 }
 
-void scale(CageSample& sample, double unit, std::size_t faces_from, double face_factor) {
-  for (auto& vertex : sample.question.vertices) vertex *= unit;
-  sample.question.points[0] *= unit;
-  for (std::size_t i = faces_from; i < sample.truth.size(); ++i) sample.truth[i] *= face_factor;
+void scale(CageQuestion& question, double unit) {
+  for (auto& vertex : question.vertices) vertex *= unit;
+  question.points[0] *= unit;
 }
 
 }  // namespace
 
+Cage CageQuestion::cage() const {
+  std::vector<Face> elements;
+  elements.reserve(faces.size());
+  for (const auto& face : faces) elements.push_back({{face[0], face[1], face[2], -1}});
+  return dimension == 2 ? Cage::make_polygon("judged", vertices, elements) : Cage::make("judged", vertices, elements);
+}
+
 std::vector<double> truth_of(const CageQuestion& q, std::string_view kind) {
-  std::vector<Face> faces;
-  faces.reserve(q.faces.size());
-  for (const auto& face : q.faces) faces.push_back({{face[0], face[1], face[2], -1}});
-  const CageCoordinates coordinates(Cage::make("judged", q.vertices, faces), coordinate_kind_named(kind),
-                                    CoordinateOptions{"closed_form"});
+  const CageCoordinates coordinates(q.cage(), coordinate_kind_named(kind), CoordinateOptions{"closed_form"});
   std::vector<double> values;
   for (const auto& block : coordinates.at<double>(q.points[0], 0))
     values.insert(values.end(), block.value.begin(), block.value.end());
   return values;
 }
 
-std::vector<CageSample> cage_samples(std::string_view kind, double unit) {
+std::vector<CageSample> cage_samples(std::string_view kind, double unit, int dimension) {
   std::vector<CageSample> samples;
   std::uint64_t index = 0;
-  for (const Shape& shape : shapes()) {
+  for (const Shape& shape : shapes(dimension)) {
     for (int i = 0; i < 6; ++i) {
       CageSample sample{question_of(shape, inside(shape, index++)), {}};
+      // Each block has its own power of the unit, in the plane with a logarithm of it.
+      scale(sample.question, unit);
       sample.truth = truth_of(sample.question, kind);
       samples.push_back(std::move(sample));
     }
     // Mean value coordinates interpolate: on a face they are the barycentric ones, whatever the cage.
     for (int face = 0; kind == "mean_value" && face < static_cast<int>(shape.faces.size()); face += 2)
-      for (const auto& weights : kOnFaces) samples.push_back(on_face(shape, face, weights));
+      for (const auto& weights : dimension == 2 ? kOnSegments : kOnFaces) {
+        samples.push_back(on_face(shape, face, weights));
+        scale(samples.back().question, unit);
+      }
   }
-  // Coordinates of vertices have no unit; those of faces have one of length.
-  for (CageSample& sample : samples) scale(sample, unit, sample.question.vertices.size(), unit);
   return samples;
 }
 
-std::array<CageQuestion, 2> alike_cages() {
-  const Shape& shape = shapes()[0];
-  const Vec3<double> point(1, 1, 0.5);
+std::array<CageQuestion, 2> alike_cages(int dimension) {
+  const Shape& shape = shapes(dimension)[0];
+  const Vec3<double> point(1, 1, dimension == 2 ? 0 : 0.5);
   CageQuestion moved = question_of(shape, point);
-  moved.vertices[3] = {1, 0, 6};
+  if (dimension == 2) moved.vertices[2] = {1, 6, 0};
+  else moved.vertices[3] = {1, 0, 6};
   return {question_of(shape, point), moved};
 }
 

@@ -14,15 +14,15 @@ struct CageSample {
 };
 
 /// \param unit what all coordinates are multiplied with, a power of two
-std::vector<CageSample> cage_samples(std::string_view kind, double unit);
+std::vector<CageSample> cage_samples(std::string_view kind, double unit, int dimension);
 
 /// Coordinates of the question's first point, by the closed form.
 std::vector<double> truth_of(const CageQuestion& question, std::string_view kind);
 
 /// Two cages that show a state between calls: they differ in one vertex only. The same point in both.
-std::array<CageQuestion, 2> alike_cages();
+std::array<CageQuestion, 2> alike_cages(int dimension);
 
-/// The corners' weights on a face that chords of the unit sphere give in place of distances.
+/// The corners' weights on a face that chords of the unit sphere give in place of distances. \pre it is a triangle
 std::array<double, 3> chord_weights(const CageSample& sample);
 
 }  // namespace cageproof::judge

@@ -39,9 +39,9 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
 
 bool is_bad(const CageCase& c) { return !(c.off <= kWrong); }
 
-std::vector<CageCase> asked(const WholeCageFunction& theirs, std::string_view kind, double unit) {
+std::vector<CageCase> asked(const WholeCageFunction& theirs, std::string_view kind, double unit, int dimension) {
   std::vector<CageCase> cases;
-  for (CageSample& sample : cage_samples(kind, unit)) {
+  for (CageSample& sample : cage_samples(kind, unit, dimension)) {
     std::vector<double> answer = theirs(sample.question);
     // Where no answer was given there is nothing to find.
     const double off = answer.empty() ? 0 : difference(answer, sample.truth);
@@ -75,7 +75,7 @@ bool has_right_sum(const CageCase& c) {
 }
 
 bool has_chords(const CageCase& c) {
-  if (c.sample.face < 0) return false;
+  if (c.sample.face < 0 || c.sample.question.dimension != 3) return false;
   const auto weights = chord_weights(c.sample);
   const auto& face = c.sample.question.faces[static_cast<std::size_t>(c.sample.face)];
   for (std::size_t k = 0; k < 3; ++k)
@@ -123,8 +123,8 @@ bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 // An answer that depends on the cage that was asked before.
-std::optional<CageFinding> find_state(const WholeCageFunction& theirs, std::string_view kind) {
-  const std::array<CageQuestion, 2> cages = alike_cages();
+std::optional<CageFinding> find_state(const WholeCageFunction& theirs, std::string_view kind, int dimension) {
+  const std::array<CageQuestion, 2> cages = alike_cages(dimension);
   std::array<std::vector<double>, 4> answers;
   for (std::size_t i = 0; i < answers.size(); ++i) {
     answers[i] = theirs(cages[i % 2]);
@@ -157,27 +157,29 @@ std::optional<CageFinding> find_state(const WholeCageFunction& theirs, std::stri
 
 }  // namespace
 
-void require_judged_kind(std::string_view kind) {
+void require_judged_kind(std::string_view kind, int dimension) {
   const CoordinateKind& row = coordinate_kind_named(kind);
+  const std::string_view elements = dimension == 2 ? "segments" : "triangles";
   if (!row.is_sum() || row.keeps_quads)
-    throw InputError(fmt::format("{} is no sum over triangles, so coordinates of whole cages are not judged", kind));
+    throw InputError(fmt::format("{} is no sum over {}, so coordinates of whole cages are not judged", kind, elements));
   for (const SummedBlock& block : row.blocks)
     if (block.kernel.find("kelvin") != std::string_view::npos)
       throw InputError(fmt::format("{} has matrices for coordinates: judge its formulas one by one", kind));
 }
 
-CageVerdict judge_whole_cage(const WholeCageFunction& theirs, std::string_view kind) {
-  require_judged_kind(kind);
+CageVerdict judge_whole_cage(const WholeCageFunction& theirs, std::string_view kind, int dimension) {
+  require_judged_kind(kind, dimension);
   CageVerdict verdict;
-  if (auto state = find_state(theirs, kind)) {
+  if (auto state = find_state(theirs, kind, dimension)) {
     verdict.findings.push_back(std::move(*state));
     return verdict;
   }
-  verdict.convention = find_cage_convention(theirs, kind);
+  verdict.convention = find_cage_convention(theirs, kind, dimension);
   const WholeCageFunction in_ours = [&](const CageQuestion& question) {
     return verdict.convention ? verdict.convention->in_ours(question, kind, theirs(question)) : theirs(question);
   };
-  const std::array<std::vector<CageCase>, 2> units{asked(in_ours, kind, 1), asked(in_ours, kind, kOtherUnit)};
+  const std::array<std::vector<CageCase>, 2> units{asked(in_ours, kind, 1, dimension),
+                                                   asked(in_ours, kind, kOtherUnit, dimension)};
   std::map<std::string_view, std::vector<const CageCase*>> causes;
   for (std::size_t u = 0; u < 2; ++u) {
     const Seen seen = seen_in(units[0]);

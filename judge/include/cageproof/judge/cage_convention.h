@@ -17,7 +17,7 @@ struct CageConvention {
   struct Block {
     std::size_t ours = 0;  ///< its place in the kind's order of blocks
     double factor = 1;     ///< theirs = factor * area^area_power * ours
-    int area_power = 0;    ///< -1, 0 or 1 of each face's area; 0 for blocks of vertices
+    int area_power = 0;    ///< -1, 0 or 1 of each face's area, or segment's length; 0 for blocks of vertices
   };
   std::vector<Block> blocks;  ///< in their order
   std::string sentence;       ///< "yours is ours"; "yours is ours with faces' psi times 4 pi"
@@ -31,7 +31,8 @@ struct CageConvention {
 
 /// Solves for the convention at points inside three cages: all must agree to 1e-9.
 /// \return nothing where no convention fits them
-/// \param kind a sum over triangles with numbers for coordinates
-std::optional<CageConvention> find_cage_convention(const WholeCageFunction& theirs, std::string_view kind);
+/// \param kind, dimension as for require_judged_kind
+std::optional<CageConvention> find_cage_convention(const WholeCageFunction& theirs, std::string_view kind,
+                                                   int dimension = 3);
 
 }  // namespace cageproof::judge

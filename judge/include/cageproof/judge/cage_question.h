@@ -2,7 +2,7 @@
 // A cage and points as foreign code is asked for their coordinates.
 #pragma once
 
-#include "cageproof/core/numbers/vector.h"
+#include "cageproof/core/cage/cage.h"
 
 #include <array>
 #include <functional>
@@ -10,11 +10,17 @@
 
 namespace cageproof::judge {
 
-/// A cage of triangles and points in space, as a caller has them.
+/// A cage and points, as a caller has them: triangles in space, or segments in the plane.
 struct CageQuestion {
-  std::vector<Vec3<double>> vertices;
-  std::vector<std::array<int, 3>> faces;  ///< counter-clockwise seen from outside
+  std::vector<Vec3<double>> vertices;  ///< in the plane with third coordinate zero
+  /// Vertices of triangles, counter-clockwise seen from outside; in the plane of segments, which have the cage on their
+  /// left, and then -1.
+  std::vector<std::array<int, 3>> faces;
   std::vector<Vec3<double>> points;
+  int dimension = 3;  ///< 2 in the plane
+
+  /// The cage. \throws InputError as Cage::make and Cage::make_polygon
+  Cage cage() const;
 };
 
 /// Returns coordinates, [point][coordinate]: first those of all vertices, then those of all faces, for kinds that have

@@ -62,6 +62,7 @@ struct SubjectCampaign {
   int order = 0;  ///< highest that the code gives
   std::vector<CampaignRow> rows;
   std::vector<PairTime> times;
+  int dimension = 3;  ///< of a kind's cages
 };
 
 /// Asks all samples, in one process as far as it lives, and measures the answers. Rows are of the formula that

@@ -32,9 +32,11 @@ struct Limits {
 struct Asked {
   std::vector<double> corners, parameters, points;
   std::size_t count = 1;  ///< points
-  /// Cages only: the vertices of triangles, three per face, counted from 0, and the number of a point's coordinates.
+  /// Cages only: the vertices of triangles, or in the plane of segments, `dimension` per face, counted from 0; and the
+  /// number of a point's coordinates.
   std::vector<int> faces = {};
   std::size_t coordinates = 0;
+  int dimension = 3;
 };
 
 /// The formula, order and scalar that a block is asked for; or the kind of coordinates that a cage is asked for.
