@@ -185,6 +185,14 @@ int run(Arguments& a) {
   if (!c.formulas.empty() && !has_rows)
     throw InputError(fmt::format("no regime of '{}' exists for these formulas", a.options.regimes));
   if (c.formulas.empty()) throw InputError(fmt::format("{} gives none of the formulas in {}", name, a.scalar));
+  const bool answers = std::ranges::any_of(c.formulas, [](const auto& one) {
+    return std::ranges::any_of(one.rows, [](const auto& row) { return row.samples > 0 || row.failed > 0; });
+  });
+  if (!answers)
+    throw InputError(
+        fmt::format("{} declined all inputs, so that nothing can be said of it; ask it by hand with a line of eval, as "
+                    "docs/judge.md has it",
+                    name));
   code->finish();
   const auto incidents = judge::findings_of({}, code->incidents());
   c.findings.insert(c.findings.begin(), incidents.begin(), incidents.end());

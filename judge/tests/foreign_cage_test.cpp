@@ -124,6 +124,18 @@ TEST(foreign_cage, convention_is_undone_before_errors_are_measured) {
   EXPECT_NEAR(campaign.rows.at(0).relative.median, 1, 1e-12);
 }
 
+TEST(foreign_cage, wrong_numbers_on_the_cage_that_are_no_limit_are_a_defect) {
+  ForeignCode code(JUDGED_LIBRARIES "/cage.so", cage_limits());
+  const auto asked = [&](const std::optional<CageConvention>& convention) {
+    return findings_of({run_cage_campaign(code, kKind, "mine", {.samples = 3, .regimes = "on-edge"}, convention)}, {});
+  };
+  EXPECT_TRUE(asked(std::nullopt).empty());
+  const auto found = asked(CageConvention{{{0, 0.5, 0}}, ""});
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].kind, "on the element");
+  EXPECT_TRUE(found[0].is_defect);
+}
+
 TEST(foreign_cage, threshold_is_named) {
   setenv("HOSTILE", "threshold", 1);
   ForeignCode code(JUDGED_LIBRARIES "/cage.so", cage_limits());

@@ -146,9 +146,10 @@ TEST(whole_cage, other_conventions_are_said_and_are_no_defects) {
   EXPECT_EQ(found_in(verdict), "");
   ASSERT_TRUE(verdict.convention);
   EXPECT_FALSE(verdict.convention->is_ours());
-  EXPECT_EQ(verdict.convention->sentence,
-            "yours is ours with psi times 4 pi divided by the face's area, phi times -4 pi (normals that point inward, "
-            "or the other sign of the fundamental solution), the order psi, phi");
+  EXPECT_EQ(
+      verdict.convention->sentence,
+      "yours is ours with psi times 4 pi divided by the face's area, phi times -4 pi (normals that point inward), "
+      "the order psi, phi");
 }
 
 TEST(whole_cage, defects_in_another_convention_are_named) {
@@ -163,10 +164,54 @@ TEST(whole_cage, defects_in_another_convention_are_named) {
   EXPECT_EQ(verdict.convention->sentence, "yours is ours with lambda times 2");
 }
 
+TEST(whole_cage, single_precision_in_another_convention_is_few_digits) {
+  const auto rounded = [](const CageQuestion& q) {
+    auto values = other_green(q);
+    for (double& x : values) x = static_cast<float>(x);
+    return values;
+  };
+  const CageVerdict verdict = judge_whole_cage(rounded, "green");
+  EXPECT_EQ(found_in(verdict), "few_digits");
+  ASSERT_TRUE(verdict.convention);
+  EXPECT_NE(verdict.convention->sentence.find("psi times 4 pi divided"), std::string::npos);
+  EXPECT_NE(verdict.convention->sentence.find("; to six digits"), std::string::npos) << verdict.convention->sentence;
+}
+
+TEST(whole_cage, all_signs_turned_are_those_of_the_fundamental_solution) {
+  const auto turned = [](const CageQuestion& q) {
+    auto values = green(q);
+    for (double& x : values) x = -x;
+    return values;
+  };
+  const CageVerdict verdict = judge_whole_cage(turned, "green");
+  ASSERT_TRUE(verdict.convention);
+  EXPECT_EQ(verdict.convention->sentence,
+            "yours is ours with phi times -1, psi times -1 (the other sign of the fundamental solution)");
+}
+
+TEST(whole_cage, wrong_faces_are_not_blamed_on_the_sum_over_vertices) {
+  const auto by_count = [](const CageQuestion& q) {
+    auto values = green(q);
+    for (std::size_t f = q.vertices.size(); f < values.size(); ++f) values[f] *= static_cast<double>(q.faces.size());
+    return values;
+  };
+  const CageVerdict verdict = judge_whole_cage(by_count, "green");
+  EXPECT_EQ(found_in(verdict), "wrong_values");
+  EXPECT_NE(verdict.findings.at(0).evidence.find("of all vertices, are right, the others off by"), std::string::npos)
+      << verdict.findings.at(0).evidence;
+}
+
+TEST(whole_cage, not_a_number_has_no_cause_among_wrong_values) {
+  const auto nothing = [](const CageQuestion& q) {
+    return std::vector<double>(q.vertices.size() + q.faces.size(), std::nan(""));
+  };
+  EXPECT_EQ(found_in(judge_whole_cage(nothing, "green")), "");
+}
+
 TEST(whole_cage, factors_that_depend_on_the_point_are_no_convention) {
   const auto drifting = [](const CageQuestion& q) {
     auto values = green(q);
-    for (double& x : values) x *= 1 + 1e-6 * q.points[0].x();
+    for (double& x : values) x *= 1 + 1e-3 * q.points[0].x();
     return values;
   };
   const CageVerdict verdict = judge_whole_cage(drifting, "green");

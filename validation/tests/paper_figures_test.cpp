@@ -231,14 +231,21 @@ TEST(PaperFigures, measured_as_units_of_a_run_are_all_there) {
   fs::remove(file);
   std::vector<std::string> names;
   for (const reports::FigureSheet& sheet : sheets_of_run(found.meshes)) names.push_back(sheet.name);
-  EXPECT_EQ(names,
-            (std::vector<std::string>{
-                "t24-bend",           "t24-twist",   "c23-global",      "c23-local",        "c23-kernels",
-                "t18-symmetry",       "quads-kept",  "w12-bar",         "w12-legs",         "w12-same-square",
-                "w12-rhombus",        "w12-star",    "w12-neck",        "w12-seam",         "c23-star",
-                "c23-infinite-ratio", "c23-hexagon", "c23-l",           "t24-gamma",        "t24-alignment",
-                "t24-variational",    "t24-spikes",  "t18-valid-quads", "t18-projection",   "t18-tessellation",
-                "t18-norm-correction", "t18-twisted-box", "t18-spherical", "t18-triquad",    "t18-positive"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"t24-bend",         "t24-twist",
+                                             "c23-global",       "c23-local",
+                                             "c23-kernels",      "t18-symmetry",
+                                             "quads-kept",       "w12-bar",
+                                             "w12-legs",         "w12-same-square",
+                                             "w12-rhombus",      "w12-star",
+                                             "w12-neck",         "w12-seam",
+                                             "c23-star",         "c23-infinite-ratio",
+                                             "c23-hexagon",      "c23-l",
+                                             "t24-gamma",        "t24-alignment",
+                                             "t24-variational",  "t24-spikes",
+                                             "t18-valid-quads",  "t18-projection",
+                                             "t18-tessellation", "t18-norm-correction",
+                                             "t18-twisted-box",  "t18-spherical",
+                                             "t18-triquad",      "t18-positive"}));
   const auto before = sheets_of_run(journal.gathered.meshes);
   std::size_t number = 0;
   for (const reports::FigureSheet& sheet : sheets_of_run(found.meshes)) {

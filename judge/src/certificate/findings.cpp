@@ -60,6 +60,12 @@ void add_inaccurate(const SubjectCampaign& campaign, std::vector<CodeFinding>& f
                                    "what rounding the input costs",
                                    row.regime, row.beside.error),
                        formula, row.order, row.beside.input, 1, !range});
+    if (row.continuous.error > half_the_digits && std::isfinite(row.continuous.error))
+      found.push_back({"on the element",
+                       fmt::format("{}: coordinates that are continuous across the cage are off by up to {:.2g} "
+                                   "conditioned units there: no limit from any side is so",
+                                   row.regime, row.continuous.error),
+                       formula, row.order, row.continuous.input, 1, true});
     const LargestError& on = is_on && row.beside.error > row.on.error ? row.beside : row.on;
     if (on.error > half_the_digits && std::isfinite(on.error))
       found.push_back({"on the element",

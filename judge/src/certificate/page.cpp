@@ -32,6 +32,7 @@ std::string finding_line(const CodeFinding& finding) {
 
 // A row's members, as both tables show them.
 std::vector<std::string> cells(const CampaignRow& row) {
+  if (row.samples == 0) return {row.regime, order_names[row.order], "0", "-", "-", "-", "-", "-"};
   return {row.regime,
           order_names[row.order],
           fmt::format("{}", row.samples),

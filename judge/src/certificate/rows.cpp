@@ -55,6 +55,7 @@ CampaignRow row_of(std::string regime, int order, std::span<const Measured> meas
   row.conditioned = largest(measured, &Measured::conditioned, line);
   row.beside = largest(measured, &Measured::beside, line);
   row.on = largest(measured, &Measured::on, line);
+  row.continuous = largest(measured, &Measured::continuous, line);
   row.absolute = largest(measured, &Measured::absolute, line);
   return row;
 }

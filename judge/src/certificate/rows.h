@@ -17,6 +17,7 @@ struct Measured {
   enum class Status { Error, NoTruth, Declined, Failed } status = Status::NoTruth;
   double relative = no_error, conditioned = no_error, absolute = no_error;
   double beside = no_error, on = no_error;  ///< conditioned, off the element and on it
+  double continuous = no_error;             ///< conditioned, on a cage, of blocks that do not jump across it
   bool is_finite = true;
 };
 

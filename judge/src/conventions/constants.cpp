@@ -10,8 +10,6 @@
 namespace cageproof::judge {
 namespace {
 
-constexpr double kNamedWithin = 1e-9;
-
 // "4 pi", "pi^2", "3", or empty for one.
 std::string product(int number, int pi_power) {
   std::string text = number == 1 && pi_power > 0 ? "" : fmt::format("{}", number);
@@ -29,12 +27,12 @@ std::string fraction(bool negative, const std::array<int, 2>& numbers, int pi_po
 
 }  // namespace
 
-std::string name_of_constant(double x) {
+std::string name_of_constant(double x, double within) {
   for (const int pi_power : {0, -1, 1, -2, 2})
     for (const int three : {0, -1, 1})
       for (int two = -6; two <= 6; ++two) {
         const double y = std::ldexp(std::pow(3.0, three) * std::pow(std::numbers::pi, pi_power), two);
-        if (std::abs(std::abs(x) - y) > kNamedWithin * y) continue;
+        if (std::abs(std::abs(x) - y) > within * y) continue;
         std::array<int, 2> numbers{1, 1};
         numbers[two < 0 ? 1 : 0] <<= std::abs(two);
         if (three != 0) numbers[three < 0 ? 1 : 0] *= 3;

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <span>
@@ -18,7 +19,8 @@
 namespace cageproof::judge {
 namespace {
 
-constexpr double kTolerance = 1e-9;
+// Numbers in double, and in float.
+constexpr std::array<double, 2> kTolerances{1e-9, 1e-5};
 
 // The kind's blocks on one cage, and the areas of its faces.
 struct Layout {
@@ -64,7 +66,7 @@ struct Pair {
 };
 
 // The factor that maps a to b; NaN where none does.
-double factor_between(const std::vector<double>& a, std::span<const double> b) {
+double factor_between(const std::vector<double>& a, std::span<const double> b, double tolerance) {
   const double factor =
       std::inner_product(b.begin(), b.end(), a.begin(), 0.0) / std::inner_product(a.begin(), a.end(), a.begin(), 0.0);
   double off = 0, size = 0;
@@ -72,11 +74,12 @@ double factor_between(const std::vector<double>& a, std::span<const double> b) {
     off = std::max(off, std::abs(b[i] - factor * a[i]));
     size = std::max(size, std::abs(b[i]));
   }
-  return off <= kTolerance * size && factor != 0 ? factor : std::nan("");
+  return off <= tolerance * size && factor != 0 ? factor : std::nan("");
 }
 
 // One block's factor, the same at all points; NaN where none is.
-double factor_of(std::span<const Pair> pairs, std::size_t block, std::span<const std::size_t> order, int area_power) {
+double factor_of(std::span<const Pair> pairs, std::size_t block, std::span<const std::size_t> order, int area_power,
+                 double tolerance) {
   std::vector<double> factors;
   std::vector<std::size_t> own(order.size());
   std::iota(own.begin(), own.end(), 0);
@@ -86,22 +89,23 @@ double factor_of(std::span<const Pair> pairs, std::size_t block, std::span<const
     std::vector<double> ours(pair.ours.begin() + static_cast<std::ptrdiff_t>(here),
                              pair.ours.begin() + static_cast<std::ptrdiff_t>(here + size));
     for (std::size_t i = 0; area_power != 0 && i < size; ++i) ours[i] *= std::pow(pair.layout.areas[i], area_power);
-    factors.push_back(factor_between(ours, std::span(pair.theirs).subspan(there, size)));
-    if (!(std::abs(factors.back() - factors.front()) <= kTolerance * std::abs(factors.front()))) return std::nan("");
+    factors.push_back(factor_between(ours, std::span(pair.theirs).subspan(there, size), tolerance));
+    if (!(std::abs(factors.back() - factors.front()) <= tolerance * std::abs(factors.front()))) return std::nan("");
   }
   const auto middle = factors.begin() + static_cast<std::ptrdiff_t>(factors.size() / 2);
   std::ranges::nth_element(factors, middle);
-  return std::abs(*middle - 1) < kTolerance ? 1 : *middle;
+  return std::abs(*middle - 1) < tolerance ? 1 : *middle;
 }
 
 // The blocks in that order with the factors that fit; empty where none do.
-std::vector<CageConvention::Block> fit(std::span<const Pair> pairs, std::span<const std::size_t> order) {
+std::vector<CageConvention::Block> fit(std::span<const Pair> pairs, std::span<const std::size_t> order,
+                                       double tolerance) {
   std::vector<CageConvention::Block> blocks;
   for (const std::size_t block : order) {
     CageConvention::Block found{block, std::nan(""), 0};
     for (const int power : {0, 1, -1}) {
       if (power != 0 && !pairs[0].layout.of_faces[block]) continue;
-      found.factor = factor_of(pairs, block, order, power);
+      found.factor = factor_of(pairs, block, order, power, tolerance);
       found.area_power = power;
       if (!std::isnan(found.factor)) break;
     }
@@ -111,10 +115,10 @@ std::vector<CageConvention::Block> fit(std::span<const Pair> pairs, std::span<co
   return blocks;
 }
 
-std::string block_text(const CageConvention::Block& block, std::string_view label, int dimension) {
+std::string block_text(const CageConvention::Block& block, std::string_view label, int dimension, double within) {
   std::string text;
   if (block.factor != 1) {
-    const std::string name = name_of_constant(block.factor);
+    const std::string name = name_of_constant(block.factor, within);
     text = name.empty() ? fmt::format(" times {:.12g} (a constant without a name)", block.factor) : " times " + name;
   }
   const std::string_view size = dimension == 2 ? "the segment's length" : "the face's area";
@@ -123,23 +127,41 @@ std::string block_text(const CageConvention::Block& block, std::string_view labe
   return text.empty() ? text : fmt::format("{}{}", label, text);
 }
 
-std::string sentence_of(const std::vector<CageConvention::Block>& blocks, std::string_view kind, int dimension) {
+// Which habit changes the signs of just these blocks; empty for none.
+std::string_view sign_hint(const std::vector<CageConvention::Block>& blocks, const CoordinateKind& kind,
+                           int dimension) {
+  const std::string element = dimension == 2 ? "segment." : "triangle.";
+  bool is_any = false, is_all = true, turns = true;
+  for (const CageConvention::Block& block : blocks) {
+    const bool is_negative = block.factor < 0;
+    const Formula& formula = formula_named(element + std::string(kind.blocks[block.ours].kernel));
+    is_any = is_any || is_negative;
+    is_all = is_all && is_negative;
+    turns = turns && is_negative == (formula.flip_sign < 0);
+  }
+  if (!is_any || kind.normalised) return "";
+  if (is_all) return " (the other sign of the fundamental solution)";
+  return turns ? " (normals that point inward)" : "";
+}
+
+std::string sentence_of(const std::vector<CageConvention::Block>& blocks, std::string_view kind, int dimension,
+                        double within) {
   const CoordinateKind& row = coordinate_kind_named(kind);
   std::string text = "yours is ours", order;
   const char* word = " with ";
-  bool is_negative = false, is_ordered = true;
+  bool is_ordered = true;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const std::string_view label = row.blocks[blocks[k].ours].label;
-    if (const std::string part = block_text(blocks[k], label, dimension); !part.empty()) {
+    if (const std::string part = block_text(blocks[k], label, dimension, within); !part.empty()) {
       text += word + part;
       word = ", ";
     }
     order += (k > 0 ? ", " : "") + std::string(label);
     is_ordered = is_ordered && blocks[k].ours == k;
-    is_negative = is_negative || blocks[k].factor < 0;
   }
-  if (is_negative) text += " (normals that point inward, or the other sign of the fundamental solution)";
+  text += sign_hint(blocks, row, dimension);
   if (!is_ordered) text += word + ("the order " + order);
+  if (within == kTolerances.back()) text += "; to six digits";
   return text;
 }
 
@@ -179,12 +201,12 @@ std::optional<CageConvention> find_cage_convention(const WholeCageFunction& thei
   }
   std::vector<std::size_t> order(pairs[0].layout.sizes.size());
   std::iota(order.begin(), order.end(), 0);
-  do {
-    auto blocks = fit(pairs, order);
-    if (blocks.empty()) continue;
-    std::string sentence = sentence_of(blocks, kind, dimension);
-    return CageConvention{std::move(blocks), std::move(sentence)};
-  } while (std::ranges::next_permutation(order).found);
+  for (const double tolerance : kTolerances) do {
+      auto blocks = fit(pairs, order, tolerance);
+      if (blocks.empty()) continue;
+      std::string sentence = sentence_of(blocks, kind, dimension, tolerance);
+      return CageConvention{std::move(blocks), std::move(sentence)};
+    } while (std::ranges::next_permutation(order).found);
   return std::nullopt;
 }
 

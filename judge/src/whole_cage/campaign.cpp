@@ -26,6 +26,10 @@ class JudgedCage {
  public:
   JudgedCage(const CageQuestion& question, const CoordinateKind& kind)
       : cage_(question.cage()), coordinates_(cage_, kind, CoordinateOptions{}) {
+    for (const Formula* formula : formulas_of(kind, cage_)) {
+      const FaceJump& jump = formula->face_jump;
+      continuous_.push_back(kind.normalised || (jump.number == 0 && jump.pi_multiple == 0 && !jump.diverges));
+    }
     for (const Vec3<double>& vertex : question.vertices) reach_ = std::max(reach_, vertex.lpNorm<Eigen::Infinity>());
   }
 
@@ -35,19 +39,20 @@ class JudgedCage {
     return sum;
   }
 
-  Measured measure(const Vec3<double>& point, const std::vector<double>& theirs) const {
+  /// \param on whether the point is on the cage
+  Measured measure(const Vec3<double>& point, const std::vector<double>& theirs, bool on) const {
     Measured found;
     const auto truth = coordinates_.at<Mp50>(convert<Mp50>(point), 0);
     const auto slopes = coordinates_.at<double>(point, 1);
     std::size_t begin = 0;
     for (std::size_t b = 0; b < truth.size(); begin += truth[b++].value.size())
-      add(truth[b], slopes[b], theirs, begin, found);
+      add(truth[b], slopes[b], theirs, begin, on && continuous_[b], found);
     return found;
   }
 
  private:
   void add(const Result<Mp50>& truth, const Result<double>& slopes, const std::vector<double>& theirs,
-           std::size_t begin, Measured& found) const {
+           std::size_t begin, bool is_continuous, Measured& found) const {
     double off = 0, size = 0, slope = 0;
     for (std::size_t i = 0; i < truth.value.size(); ++i) {
       if (!isfinite(truth.value[i])) return;
@@ -64,13 +69,16 @@ class JudgedCage {
     found.status = Measured::Status::Error;
     found.absolute = std::max(found.absolute, off);
     if (size > 0) found.relative = std::max(found.relative, off / size);
-    found.conditioned = std::max(found.conditioned, off / (kRoundoff * (size + reach_ * slope)));
+    const double conditioned = off / (kRoundoff * (size + reach_ * slope));
+    found.conditioned = std::max(found.conditioned, conditioned);
     found.beside = found.conditioned;
+    if (is_continuous) found.continuous = std::max(found.continuous, conditioned);
   }
 
   Cage cage_;
-  CageCoordinates coordinates_;  // in 50 digits the closed forms
-  double reach_ = 0;             // largest coordinate, whose rounding moves vertices and points
+  CageCoordinates coordinates_;   // in 50 digits the closed forms
+  std::vector<bool> continuous_;  // of each block, across the cage
+  double reach_ = 0;              // largest coordinate, whose rounding moves vertices and points
 };
 
 // The time for a point and a triangle or segment, of the code and of the suite's own evaluations.
@@ -182,7 +190,8 @@ SubjectCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, cons
       const std::vector<double>& given = answer.tensors[0];
       found =
           asking->cages[i]->measure({p[0], p[1], dimension == 2 ? 0 : p[2]},
-                                    convention ? convention->in_ours(*asking->questions[i], row.name, given) : given);
+                                    convention ? convention->in_ours(*asking->questions[i], row.name, given) : given,
+                                    asking->regime.starts_with("on-"));
     } else {
       found.status = answer.status == Answer::Status::Declined ? Measured::Status::Declined : Measured::Status::Failed;
     }

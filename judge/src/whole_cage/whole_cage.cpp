@@ -37,6 +37,10 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
   return off / size;
 }
 
+bool is_finite(const std::vector<double>& numbers) {
+  return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
+}
+
 bool is_bad(const CageCase& c) { return !(c.off <= kWrong); }
 
 std::vector<CageCase> asked(const WholeCageFunction& theirs, std::string_view kind, double unit, int dimension) {
@@ -50,7 +54,24 @@ std::vector<CageCase> asked(const WholeCageFunction& theirs, std::string_view ki
   return cases;
 }
 
-std::string off_text(const CageCase& c) { return fmt::format("off by {:.3g}", c.off); }
+// The difference of one part, relative to the largest number of the part.
+double part_off(const CageCase& c, std::size_t begin, std::size_t end) {
+  const auto part = [&](const std::vector<double>& all) {
+    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(begin),
+                               all.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  return difference(part(c.theirs), part(c.sample.truth));
+}
+
+double vertices_off(const CageCase& c) { return part_off(c, 0, c.sample.question.vertices.size()); }
+
+std::string off_text(const CageCase& c) {
+  const std::size_t vertices = c.sample.question.vertices.size(), all = c.sample.truth.size();
+  if (c.theirs.size() != all || vertices == all) return fmt::format("off by {:.3g}", c.off);
+  const double first = vertices_off(c), others = part_off(c, vertices, all);
+  const auto text = [](double off) { return off <= kWrong ? std::string("right") : fmt::format("off by {:.3g}", off); };
+  return fmt::format("the first coordinates, of all vertices, are {}, the others {}", text(first), text(others));
+}
 
 bool has_wrong_size(const CageCase& c) { return c.theirs.size() != c.sample.truth.size(); }
 
@@ -71,7 +92,8 @@ bool has_right_sum(const CageCase& c) {
     sum += c.theirs[i] - c.sample.truth[i];
     size = std::max(size, std::abs(c.sample.truth[i]));
   }
-  return std::abs(sum) < 1e-3 * c.off * size;
+  const double off = vertices_off(c);
+  return off > kWrong && std::abs(sum) < 1e-3 * off * size;
 }
 
 bool has_chords(const CageCase& c) {
@@ -184,8 +206,11 @@ CageVerdict judge_whole_cage(const WholeCageFunction& theirs, std::string_view k
   for (std::size_t u = 0; u < 2; ++u) {
     const Seen seen = seen_in(units[0]);
     verdict.points += units[u].size();
-    for (std::size_t i = 0; i < units[u].size(); ++i)
-      if (is_bad(units[u][i])) causes[cause_of(units[u][i], seen, !is_bad(units[1 - u][i]))].push_back(&units[u][i]);
+    for (std::size_t i = 0; i < units[u].size(); ++i) {
+      const CageCase &one = units[u][i], &other = units[1 - u][i];
+      const bool is_left = one.sample.face < 0 && !is_finite(one.theirs) && is_bad(other);
+      if (is_bad(one) && !is_left) causes[cause_of(one, seen, !is_bad(other))].push_back(&one);
+    }
   }
   for (const Defect& defect : defects())
     if (const auto found = causes.find(defect.key); found != causes.end())

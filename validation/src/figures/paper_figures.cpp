@@ -27,11 +27,31 @@ class FigureMeasurement final : public Measurement {
 
 PaperFigures embedded_figures() {
   PaperFigures figures;
-  for (const auto make :
-       {bar_figure, pressed_figure, kernel_figure, symmetry_figure, plane_bar_figure, trousers_figure, square_figure,
-        star_figure, neck_figure, seam_figure, star_variants_figure, infinite_ratio_figure, hexagon_figure, l_figure,
-        biharmonic_choices_figure, variational_figure, spikes_figure, valid_quads_figure, projection_figure,
-        tessellation_figure, norm_correction_figure, twisted_box_figure, spherical_figure, triquad_figure, fork_figure})
+  for (const auto make : {bar_figure,
+                          pressed_figure,
+                          kernel_figure,
+                          symmetry_figure,
+                          plane_bar_figure,
+                          trousers_figure,
+                          square_figure,
+                          star_figure,
+                          neck_figure,
+                          seam_figure,
+                          star_variants_figure,
+                          infinite_ratio_figure,
+                          hexagon_figure,
+                          l_figure,
+                          biharmonic_choices_figure,
+                          variational_figure,
+                          spikes_figure,
+                          valid_quads_figure,
+                          projection_figure,
+                          tessellation_figure,
+                          norm_correction_figure,
+                          twisted_box_figure,
+                          spherical_figure,
+                          triquad_figure,
+                          fork_figure})
     figures.push_back(make());
   return figures;
 }

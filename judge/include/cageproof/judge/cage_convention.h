@@ -29,7 +29,8 @@ struct CageConvention {
   std::vector<double> in_ours(const CageQuestion& question, std::string_view kind, std::vector<double> theirs) const;
 };
 
-/// Solves for the convention at points inside three cages: all must agree to 1e-9.
+/// Solves for the convention at points inside three cages: all must agree to 1e-9, or, as
+/// numbers in float do, to 1e-5.
 /// \return nothing where no convention fits them
 /// \param kind, dimension as for require_judged_kind
 std::optional<CageConvention> find_cage_convention(const WholeCageFunction& theirs, std::string_view kind,

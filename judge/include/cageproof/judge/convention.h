@@ -39,7 +39,8 @@ std::optional<Convention> find_convention(const Evaluation& theirs, std::uint64_
 /// that normalised values lack is taken from the closed form.
 Evaluation in_our_convention(const Evaluation& theirs, const Convention& convention);
 
-/// "-1/(4 pi)", "2", "3/(8 pi)": a rational with few factors times a power of pi, within 1e-9; empty for other numbers.
-std::string name_of_constant(double x);
+/// "-1/(4 pi)", "2", "3/(8 pi)": a rational with few factors times a power of pi, within a relative distance; empty for
+/// other numbers.
+std::string name_of_constant(double x, double within = 1e-9);
 
 }  // namespace cageproof::judge

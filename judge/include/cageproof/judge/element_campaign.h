@@ -45,6 +45,7 @@ struct CampaignRow {
   LargestError conditioned;  ///< in units of u (errors.md)
   LargestError absolute;     ///< |f - truth|
   LargestError beside, on;   ///< conditioned, of points off the element, and exactly on it
+  LargestError continuous;   ///< conditioned, of points on a cage and coordinates that do not jump across it
   std::string nonfinite_input;
 };
 

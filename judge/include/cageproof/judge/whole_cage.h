@@ -33,7 +33,8 @@ struct CageVerdict {
 void require_judged_kind(std::string_view kind, int dimension = 3);
 
 /// Asks on tetrahedra and an octahedron, in the plane on triangles and an arrowhead, at points inside and, of
-/// `mean_value`, on them, in two units of length. Finds the convention first, and judges in it.
+/// `mean_value`, on them, in two units of length. Finds the convention first, and judges in it. Numbers inside that are
+/// not finite in any unit are left to run_cage_campaign().
 /// \param kind "mean_value", "green" or another that require_judged_kind takes \throws InputError as it
 CageVerdict judge_whole_cage(const WholeCageFunction& theirs, std::string_view kind, int dimension = 3);
 
