@@ -222,7 +222,7 @@ TEST(PaperFigures, measured_as_units_of_a_run_are_all_there) {
   reports::Journal journal;
   journal.header.units = 1;
   journal.done = {true};
-  journal.gathered = measure_all(figure_measurements(), 0);
+  journal.gathered = measure_all(figure_measurements(true), 0);
   EXPECT_TRUE(journal.gathered.rows.empty()) << "figures promise nothing";
   // A report is made of the journal as it is read again.
   const fs::path file = fs::temp_directory_path() / ("figures-journal-" + std::to_string(::getpid()));

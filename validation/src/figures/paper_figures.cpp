@@ -68,10 +68,13 @@ std::vector<reports::FigureSheet> figure_sheets(const PaperFigures& figures, int
   return all;
 }
 
-Measurements figure_measurements() {
-  Measurements all;
-  for (auto& figure : embedded_figures()) all.push_back(std::make_unique<FigureMeasurement>(std::move(figure)));
-  return all;
+Measurements figure_measurements(bool all) {
+  constexpr std::size_t few = 5;
+  PaperFigures figures = embedded_figures();
+  if (!all) figures.resize(few);
+  Measurements measurements;
+  for (auto& figure : figures) measurements.push_back(std::make_unique<FigureMeasurement>(std::move(figure)));
+  return measurements;
 }
 
 std::vector<reports::FigureSheet> sheets_of_run(const FigureFindings& meshes) {

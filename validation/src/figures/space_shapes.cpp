@@ -62,14 +62,14 @@ constexpr int pencil_sides = 6;
 constexpr double tower_height = 0.8;
 
 // Meshes of cells lie within their cages by so much, before smoothing draws them in further.
-constexpr double inset = 0.06;
+constexpr double mesh_inset = 0.06;
 
 // The cells of a box, inset, whose middles a body holds; smoothed.
 TonedMesh smooth_block(const std::array<std::array<double, 2>, 3>& reach, double step,
                        const std::function<bool(const Vec3<double>&)>& holds) {
   CellPlanes planes;
   for (std::size_t c = 0; c < 3; ++c) {
-    const double first = reach[c][0] + inset, last = reach[c][1] - inset;
+    const double first = reach[c][0] + mesh_inset, last = reach[c][1] - mesh_inset;
     const int count = static_cast<int>(std::lround((last - first) / step));
     for (int k = 0; k <= count; ++k) planes[c].push_back(first + (last - first) * k / count);
   }
@@ -155,7 +155,7 @@ Cage fork_cage() {
 
 TonedMesh fork_mesh(double step) {
   return smooth_block({{{-1, 1}, {-0.4, 0.4}, {0, 2}}}, step,
-                      [](const Vec3<double>& p) { return std::abs(p[0]) > 0.12 + inset || p[2] < 0.6 - inset; });
+                      [](const Vec3<double>& p) { return std::abs(p[0]) > 0.12 + mesh_inset || p[2] < 0.6 - mesh_inset; });
 }
 
 Cage tower_cage() {

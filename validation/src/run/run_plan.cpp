@@ -123,7 +123,7 @@ class Planner {
     }
     // Figures show whole kinds of coordinates, on cages of their own.
     if (!options_.cage && options_.formulas == "*" && options_.evaluations == "*" && options_.regimes == "*")
-      add(figure_measurements());
+      add(figure_measurements(!options_.suite.has_time_limit));
     if (!options_.only_cage) add(errata_measurement({.formulas = options_.formulas, .seed = options_.seed}));
     for (std::string& note : notes_on_truth(options_.formulas)) plan_.header.notes.push_back(std::move(note));
     plan_.units = units_of(plan_.measurements);
