@@ -49,7 +49,7 @@ std::vector<Vec3<double>> some_change(const DeformedCage& what) {
   return change;
 }
 
-struct Prepared {
+struct PreparedProducts {
   std::shared_ptr<const DeformedCage> what;
   std::shared_ptr<const Deformer<double>> deformer;
   std::unique_ptr<const Posed<double>> posed;
@@ -58,7 +58,7 @@ struct Prepared {
   std::vector<Vec3<double>> change;
   std::vector<double> weights;
 
-  Prepared(std::shared_ptr<const DeformedCage> cage, const DeformMethod& method)
+  PreparedProducts(std::shared_ptr<const DeformedCage> cage, const DeformMethod& method)
       : what(std::move(cage)),
         deformer(deformation::prepare_deformer<double>(method, what->cage, {.evaluation = std::string(quickest)})),
         posed(deformer->pose({what->posed})),
@@ -105,17 +105,17 @@ std::vector<std::string> register_derivative_benchmarks(const std::shared_ptr<co
   };
   for (const DeformMethod& method : deformation::deform_methods()) {
     if (!method.has_pose_derivative || !why_refused(method, what->cage).empty()) continue;
-    const auto made = std::make_shared<const Lazy<Prepared>>([what, &method] { return Prepared(what, method); });
+    const auto made = std::make_shared<const Lazy<PreparedProducts>>([what, &method] { return PreparedProducts(what, method); });
     const auto add_product = [&](std::string_view stage, auto product) {
       add(method.name, stage, [what, made, product](benchmark::State& state) {
-        const Prepared& prepared = made->get();
+        const PreparedProducts& prepared = made->get();
         time_both(
             state, what->points.size(), [&] { return product(prepared); }, [&] { return prepared.images(); });
       });
     };
-    add_product("pose", [](const Prepared& prepared) { return prepared.pose(); });
-    add_product("jvp", [](const Prepared& prepared) { return prepared.jvp(); });
-    add_product("vjp", [](const Prepared& prepared) { return prepared.vjp(); });
+    add_product("pose", [](const PreparedProducts& prepared) { return prepared.pose(); });
+    add_product("jvp", [](const PreparedProducts& prepared) { return prepared.jvp(); });
+    add_product("vjp", [](const PreparedProducts& prepared) { return prepared.vjp(); });
   }
   for (const CoordinateKind& kind : coordinate_kinds()) {
     if (find_rest_derivative(kind) == nullptr || !accepts(kind, what->cage)) continue;
