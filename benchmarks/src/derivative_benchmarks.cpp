@@ -105,7 +105,8 @@ std::vector<std::string> register_derivative_benchmarks(const std::shared_ptr<co
   };
   for (const DeformMethod& method : deformation::deform_methods()) {
     if (!method.has_pose_derivative || !why_refused(method, what->cage).empty()) continue;
-    const auto made = std::make_shared<const Lazy<PreparedProducts>>([what, &method] { return PreparedProducts(what, method); });
+    const auto made =
+        std::make_shared<const Lazy<PreparedProducts>>([what, &method] { return PreparedProducts(what, method); });
     const auto add_product = [&](std::string_view stage, auto product) {
       add(method.name, stage, [what, made, product](benchmark::State& state) {
         const PreparedProducts& prepared = made->get();

@@ -85,11 +85,13 @@ Cage CageQuestion::cage() const {
   return dimension == 2 ? Cage::make_polygon("judged", vertices, elements) : Cage::make("judged", vertices, elements);
 }
 
-std::vector<double> truth_of(const CageQuestion& q, std::string_view kind) {
+std::vector<double> truth_of(const CageQuestion& q, std::string_view kind, std::vector<std::size_t>* sizes) {
   const CageCoordinates coordinates(q.cage(), coordinate_kind_named(kind), CoordinateOptions{"closed_form"});
   std::vector<double> values;
-  for (const auto& block : coordinates.at<double>(q.points[0], 0))
+  for (const auto& block : coordinates.at<double>(q.points[0], 0)) {
     values.insert(values.end(), block.value.begin(), block.value.end());
+    if (sizes != nullptr) sizes->push_back(block.value.size());
+  }
   return values;
 }
 
@@ -101,7 +103,7 @@ std::vector<CageSample> cage_samples(std::string_view kind, double unit, int dim
       CageSample sample{question_of(shape, inside(shape, index++)), {}};
       // Each block has its own power of the unit, in the plane with a logarithm of it.
       scale(sample.question, unit);
-      sample.truth = truth_of(sample.question, kind);
+      sample.truth = truth_of(sample.question, kind, &sample.sizes);
       samples.push_back(std::move(sample));
     }
     // Mean value coordinates interpolate: on a face they are the barycentric ones, whatever the cage.

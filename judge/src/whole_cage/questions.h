@@ -10,14 +10,16 @@ namespace cageproof::judge {
 struct CageSample {
   CageQuestion question;
   std::vector<double> truth;
-  int face = -1;  ///< that the point is on; negative for none
+  int face = -1;                        ///< that the point is on; negative for none
+  std::vector<std::size_t> sizes = {};  ///< of the blocks; empty for one
 };
 
 /// \param unit what all coordinates are multiplied with, a power of two
 std::vector<CageSample> cage_samples(std::string_view kind, double unit, int dimension);
 
-/// Coordinates of the question's first point, by the closed form.
-std::vector<double> truth_of(const CageQuestion& question, std::string_view kind);
+/// Coordinates of the question's first point, by the closed form. \param sizes takes those of the blocks, unless null
+std::vector<double> truth_of(const CageQuestion& question, std::string_view kind,
+                             std::vector<std::size_t>* sizes = nullptr);
 
 /// Two cages that show a state between calls: they differ in one vertex only. The same point in both.
 std::array<CageQuestion, 2> alike_cages(int dimension);

@@ -37,6 +37,27 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
   return off / size;
 }
 
+// The difference of one part, relative to the largest number of the part.
+double part_off(const CageCase& c, std::size_t begin, std::size_t end) {
+  const auto part = [&](const std::vector<double>& all) {
+    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(begin),
+                               all.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  return difference(part(c.theirs), part(c.sample.truth));
+}
+
+// The largest difference of all blocks, which have units of their own.
+double blocks_off(const CageCase& c) {
+  if (c.sample.sizes.empty() || c.theirs.size() != c.sample.truth.size()) return difference(c.theirs, c.sample.truth);
+  double off = 0;
+  std::size_t begin = 0;
+  for (const std::size_t size : c.sample.sizes) {
+    off = std::max(off, part_off(c, begin, begin + size));
+    begin += size;
+  }
+  return off;
+}
+
 bool is_finite(const std::vector<double>& numbers) {
   return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
 }
@@ -48,19 +69,10 @@ std::vector<CageCase> asked(const WholeCageFunction& theirs, std::string_view ki
   for (CageSample& sample : cage_samples(kind, unit, dimension)) {
     std::vector<double> answer = theirs(sample.question);
     // Where no answer was given there is nothing to find.
-    const double off = answer.empty() ? 0 : difference(answer, sample.truth);
-    cases.push_back({std::move(sample), std::move(answer), off});
+    cases.push_back({std::move(sample), std::move(answer), 0});
+    if (!cases.back().theirs.empty()) cases.back().off = blocks_off(cases.back());
   }
   return cases;
-}
-
-// The difference of one part, relative to the largest number of the part.
-double part_off(const CageCase& c, std::size_t begin, std::size_t end) {
-  const auto part = [&](const std::vector<double>& all) {
-    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(begin),
-                               all.begin() + static_cast<std::ptrdiff_t>(end));
-  };
-  return difference(part(c.theirs), part(c.sample.truth));
 }
 
 double vertices_off(const CageCase& c) { return part_off(c, 0, c.sample.question.vertices.size()); }
@@ -81,9 +93,9 @@ bool in_proportion(const CageCase& c) {
     tt += c.sample.truth[i] * c.sample.truth[i];
     ft += c.theirs[i] * c.sample.truth[i];
   }
-  std::vector<double> scaled(c.theirs);
-  for (double& x : scaled) x *= tt / ft;
-  return difference(scaled, c.sample.truth) < 1e-3 * c.off;
+  CageCase scaled = c;
+  for (double& x : scaled.theirs) x *= tt / ft;
+  return blocks_off(scaled) < 1e-3 * c.off;
 }
 
 bool has_right_sum(const CageCase& c) {

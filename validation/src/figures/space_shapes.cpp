@@ -154,8 +154,9 @@ Cage fork_cage() {
 }
 
 TonedMesh fork_mesh(double step) {
-  return smooth_block({{{-1, 1}, {-0.4, 0.4}, {0, 2}}}, step,
-                      [](const Vec3<double>& p) { return std::abs(p[0]) > 0.12 + mesh_inset || p[2] < 0.6 - mesh_inset; });
+  return smooth_block({{{-1, 1}, {-0.4, 0.4}, {0, 2}}}, step, [](const Vec3<double>& p) {
+    return std::abs(p[0]) > 0.12 + mesh_inset || p[2] < 0.6 - mesh_inset;
+  });
 }
 
 Cage tower_cage() {

@@ -47,8 +47,8 @@ PaperFigures figures_of_data(const std::filesystem::path& folder);
 std::vector<reports::FigureSheet> figure_sheets(const PaperFigures& figures, int jobs,
                                                 const std::function<void(const std::string&)>& said = {});
 
-/// The work of embedded figures as parts of a run: their findings are its meshes. \param all or only the first few, which
-/// show all methods
+/// The work of embedded figures as parts of a run: their findings are its meshes. \param all or only the first few,
+/// which show all methods
 Measurements figure_measurements(bool all);
 
 /// The embedded figures that a run has computed; none of a run that was asked for none.
