@@ -22,7 +22,7 @@ using deformation::PoseDerivative;
 // Calls both as often as the state asks for, in turns.
 void time_both(benchmark::State& state, std::size_t points, const auto& product, const auto& values) {
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
-  // What an evaluation makes at its first call is no part of its time.
+  // The first call prepares tables, which are no part of its time.
   values();
   double of_product = 0, of_values = 0;
   const auto timed = [](double& sum, const auto& run) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples of elements: their basis functions sum to one, and no corner is the first.
+// Basis functions of elements' samples sum to one, and no corner is the first.
 #include "layers/samples.h"
 #include "settings.h"
 

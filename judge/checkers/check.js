@@ -31,7 +31,7 @@ function tensors(element, point, parameters) {
   return [[2 * Math.atan2(high, below)]]
 }
 
-// What a triangle fills of its plane around the origin: the limit from inside on it, zero beside it.
+// The angle of its plane that a triangle fills around the origin: the limit from inside on it, zero beside it.
 function angleInPlane(corners) {
   const minus = (u, v) => u.map((s, i) => s - v[i])
   const normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]))
@@ -138,7 +138,7 @@ function vectorsOf(data) {
   })
 }
 
-// Of the tensors that the function returns; infinite where it fails.
+// The largest error of the tensors that the function returns; infinite where it fails.
 function worstError(inputs, truths, unit) {
   try {
     const found = tensors(...inputs).slice(0, truths.length)

@@ -36,7 +36,7 @@ def tensors(element, point, parameters):
 
 
 def angle_in_plane(corners):
-    """What a triangle fills of its plane around the origin: the limit from inside on it, zero beside it. Takes exact numbers."""
+    """The angle of its plane that a triangle fills around the origin: the limit from inside on it, zero beside it. Takes exact numbers."""
     def cross(u, v):
         return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 
@@ -86,7 +86,7 @@ def vectors_of(data):
 
 
 def worst_error(inputs, truths, unit):
-    """Of the tensors that the function returns; infinite where it fails."""
+    """The largest error of the tensors that the function returns; infinite where it fails."""
     try:
         found = tensors(*inputs)
         return max(units(tensor, *truth, unit) for tensor, truth in zip(found, truths))

@@ -20,7 +20,7 @@ namespace {
 using namespace deformation;
 using Numbers = std::vector<double>;
 
-// What a derivative makes wrong.
+// A mistake of a derivative.
 struct Fault {
   double along = 0;      // the change is so much longer
   double back = 0;       // the first vertex's share is so much larger

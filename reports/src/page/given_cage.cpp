@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 namespace cageproof::reports {
 namespace {
@@ -158,8 +159,8 @@ std::string advice_of(const std::vector<KindInCage>& kinds, const KindInCage* ta
   if (taken != nullptr)
     return fmt::format(
         "The quickest that keeps its promises: {}. It keeps all {} of them, reproduces linear functions, "
-        "and takes {} per point.",
-        taken->kind, grouped(taken->kept), duration_text(*taken->nanoseconds));
+        "and takes {} per point. It was compared with its truth at {} points inside.",
+        taken->kind, grouped(taken->kept), duration_text(*taken->nanoseconds), grouped(taken->samples_inside));
   if (std::ranges::none_of(kinds, keeps_all))
     return "No kind keeps all promises and reproduces linear functions in this cage.";
   if (std::ranges::none_of(kinds, [](const KindInCage& k) { return keeps_all(k) && k.error_inside; }))
@@ -220,11 +221,16 @@ std::vector<KindInCage> kinds_in_cage(const RunResult& result) {
 }
 
 const KindInCage* kind_to_take(const std::vector<KindInCage>& kinds) {
+  constexpr double alike = 1.25;  // times closer than that differ by what else the machine did
+  const auto can_be_named = [](const KindInCage& one) { return keeps_all(one) && one.error_inside && one.nanoseconds; };
+  double least = std::numeric_limits<double>::infinity();
+  for (const KindInCage& one : kinds)
+    if (can_be_named(one)) least = std::min(least, *one.nanoseconds);
   const KindInCage* best = nullptr;
-  for (const KindInCage& one : kinds) {
-    if (!keeps_all(one) || !one.error_inside || !one.nanoseconds) continue;
-    if (best == nullptr || *one.nanoseconds < *best->nanoseconds) best = &one;
-  }
+  for (const KindInCage& one : kinds)
+    if (can_be_named(one) && *one.nanoseconds <= alike * least &&
+        (best == nullptr || *one.error_inside < *best->error_inside))
+      best = &one;
   return best;
 }
 

@@ -33,7 +33,7 @@ struct KindInCage {
 std::vector<KindInCage> kinds_in_cage(const RunResult& result);
 
 /// The quickest of those that keep all promises, reproduce linear functions and were compared with their truth in,
-/// on or next to the cage; null where none does or none was timed.
+/// on or next to the cage; of those whose times are alike, the most accurate. Null where none does or none was timed.
 const KindInCage* kind_to_take(const std::vector<KindInCage>& kinds);
 
 /// The section as the index shows it ("given_cage_section") and whether it does; nothing for other runs.

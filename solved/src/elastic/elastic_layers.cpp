@@ -127,7 +127,8 @@ typename ElasticLayers<R>::Matrix2 ElasticLayers<R>::pull_to_end(const OnEdge<R>
   return Matrix2{{turned[0], turned[1]}, {turned[2], turned[3]}};
 }
 
-// What a whole edge sees a point from: the nearer of its ends where the polygon has a short edge, as pieces do.
+// The place that a whole edge sees a point from: the nearer of its ends where the polygon has a short edge, as pieces
+// do.
 template <Scalar R>
 int ElasticLayers<R>::seer_of(int edge, const At& point) const {
   if (!polygon_.has_short_edge()) return polygon_.seer(edge, 0);
