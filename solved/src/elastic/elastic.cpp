@@ -148,6 +148,7 @@ class ElasticCoordinates final : public CoordinatesInDouble<ElasticCoordinates>,
   template <Scalar R>
   Eigen::Matrix<R, Eigen::Dynamic, 1> traction_units() const {
     std::vector<double> lengths;
+    lengths.reserve(static_cast<std::size_t>(polygon_.edges()));
     for (int e = 0; e < polygon_.edges(); ++e) lengths.push_back(polygon_.line<double>(e).piece);
     const double longest = std::ranges::max(lengths);
     Eigen::Matrix<R, Eigen::Dynamic, 1> units(2 * polygon_.pieces());

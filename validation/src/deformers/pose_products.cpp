@@ -70,6 +70,7 @@ std::vector<double> PoseProducts::differences(const Vec3<double>& at) const {
   const auto images = [&](const Moved<R>& moved) {
     const auto tables = moved.deformer->coordinates().template at<R>(std::span(&point, 1), 0);
     std::vector<std::vector<R>> found;
+    found.reserve(moved.posed.size());
     for (const auto& posed : moved.posed) found.push_back(posed->images(tables, 1, 0).tensors[0]);
     return found;
   };
