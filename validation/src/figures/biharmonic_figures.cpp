@@ -40,7 +40,7 @@ SheetPlan gamma_sheet(const std::vector<Vec3<double>>& bent, const std::vector<V
         {.title = "mean value", .file = "mean_value" + suffix, .method = "mean_value", .posed = posed});
     for (const std::string gamma : {"0.01", "1", "100"})
       sheet.panels.push_back({.title = "(1,3), γ_D = " + gamma,
-                              .file = "gamma" + gamma + suffix,
+                              .file = fmt::format("gamma{}{}", gamma, suffix),
                               .method = "biharmonic_1_3",
                               .parameters = {{"gamma_d", gamma}},
                               .posed = posed,

@@ -35,6 +35,7 @@ SheetPlan four_methods(const std::string& name, const std::string& shape, const 
 
 Cage plane_hexagon() {
   std::vector<Vec3<double>> vertices;
+  vertices.reserve(6);
   for (int k = 0; k < 6; ++k)
     vertices.emplace_back(std::cos(k * std::numbers::pi / 3), std::sin(k * std::numbers::pi / 3), 0);
   return polygon_of("hexagon", std::move(vertices));

@@ -42,7 +42,7 @@ class ValidQuadsFigure final : public PaperFigure {
     for (const NamedQuad& one : quads_) {
       const std::string key = key_of(one);
       found[key].name = key;
-      found[key].vertices = bilinear_surface(one.quad, steps_).vertices;
+      found[key].vertices = bilinear_surface(one.quad, kSteps).vertices;
     }
     return found;
   }
@@ -50,7 +50,7 @@ class ValidQuadsFigure final : public PaperFigure {
   bool is_in(const FigureFindings& found) const override {
     return std::ranges::all_of(quads_, [&](const NamedQuad& one) {
       const auto at = found.find(key_of(one));
-      return at != found.end() && at->second.vertices.size() == static_cast<std::size_t>((steps_ + 1) * (steps_ + 1));
+      return at != found.end() && at->second.vertices.size() == std::size_t{(kSteps + 1) * (kSteps + 1)};
     });
   }
 
@@ -69,7 +69,7 @@ class ValidQuadsFigure final : public PaperFigure {
       reports::FigurePanel panel = panel_of(one.file, one.title, one.quad, reason);
       panel.note = reason ? "not valid" : "valid";
       panel.data.vertices = found.at(key_of(one)).vertices;
-      panel.data.faces = bilinear_surface(one.quad, steps_).faces;
+      panel.data.faces = bilinear_surface(one.quad, kSteps).faces;
       sheet.panels.push_back(std::move(panel));
     }
     sheet.text = fmt::format(
@@ -117,7 +117,7 @@ class ValidQuadsFigure final : public PaperFigure {
     return panel;
   }
 
-  int steps_ = 16;
+  static constexpr int kSteps = 16;
   std::vector<NamedQuad> quads_ = quads_to_judge();
 };
 
@@ -149,7 +149,7 @@ class ProjectionFigure final : public PaperFigure {
       field.name = key_of(one);
       field.vertices = {one.point, vector("hull_point"), vector("projection")};
       // The parameters' lines, u = 0 ... 1 and v = 0 ... 1, in points of the plane.
-      for (int k = 0; k < samples_; ++k) field.vertices.emplace_back(values("grid_u")[k], values("grid_v")[k], 0);
+      for (int k = 0; k < kSamples; ++k) field.vertices.emplace_back(values("grid_u")[k], values("grid_v")[k], 0);
     }
     return found;
   }
@@ -157,7 +157,7 @@ class ProjectionFigure final : public PaperFigure {
   bool is_in(const FigureFindings& found) const override {
     return std::ranges::all_of(points_, [&](const NamedPoint& one) {
       const auto at = found.find(key_of(one));
-      return at != found.end() && at->second.vertices.size() == static_cast<std::size_t>(3 + samples_);
+      return at != found.end() && at->second.vertices.size() == std::size_t{3 + kSamples};
     });
   }
 
@@ -199,13 +199,13 @@ class ProjectionFigure final : public PaperFigure {
     };
     if (samples) {
       panel.cage_faces = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-      for (int k = 0; k < samples_; ++k) {
+      for (int k = 0; k < kSamples; ++k) {
         const double u = found[3 + k][0], v = found[3 + k][1];
         add_line(bilinear_point(quad_, u, 0), bilinear_point(quad_, u, 1));
         add_line(bilinear_point(quad_, 0, v), bilinear_point(quad_, 1, v));
-        for (int l = 0; l < samples_; ++l) panel.marks.push_back(bilinear_point(quad_, u, found[3 + l][1]));
+        for (int l = 0; l < kSamples; ++l) panel.marks.push_back(bilinear_point(quad_, u, found[3 + l][1]));
       }
-      const double u = found[3 + samples_ / 2][0], v = found[3 + samples_ / 2][1];
+      const double u = found[3 + kSamples / 2][0], v = found[3 + kSamples / 2][1];
       panel.note = fmt::format("u = {:.2f}, v = {:.2f}", u, v);
       panel.measured = {{"u", u}, {"v", v}};
       return panel;
@@ -220,7 +220,7 @@ class ProjectionFigure final : public PaperFigure {
     return panel;
   }
 
-  static constexpr int samples_ = 5;
+  static constexpr int kSamples = 5;
   Quad<double> quad_ = saddle(0.4);
   std::vector<NamedPoint> points_{{"above", "outside, above", {0.35, -0.2, 1.3}},
                                   {"beside", "outside, beside", {1.7, -0.8, 0.5}},
