@@ -30,6 +30,7 @@ std::vector<Vec3<R>> moved(const Case& c, const std::vector<Vec>& change, const 
 template <Scalar R>
 std::vector<R> images_at(const Case& c, const Deformer<R>& deformer, const std::vector<Vec>& change, const R& by) {
   std::vector<Vec3<R>> points;
+  points.reserve(c.points.size());
   for (const Vec& p : c.points) points.push_back(convert<R>(p));
   return deformed<R>(deformer, moved<R>(c, change, by), points).tensors[0];
 }
@@ -146,6 +147,7 @@ TEST(pose_derivative, motions_of_the_pose) {
       const Vec axis = d == 2 ? Vec(0, 0, 1) : Vec(.3, -.5, .8), shift = d == 2 ? Vec(1, 2, 0) : Vec(1, 2, -3);
       const auto expect = [&](const char* what, const auto& motion) {
         std::vector<Vec> change;
+        change.reserve(c.posed.size());
         for (const Vec& v : c.posed) change.push_back(motion(v));
         std::vector<double> expected;
         for (std::size_t p = 0; p < c.points.size(); ++p) {
@@ -157,7 +159,7 @@ TEST(pose_derivative, motions_of_the_pose) {
         EXPECT_LT(largest_difference(along(c, *deformer, *derivative, change), expected), 2e-13)
             << c.name << ' ' << s.text() << ": " << what;
       };
-      expect("a shift", [&](const Vec&) { return shift; });
+      expect("a shift", [&](const Vec&) { return Vec(shift); });
       // Displacements of linear elasticity do not turn with the pose.
       if (s.method != "elastic") expect("a turn", [&](const Vec& v) { return Vec(axis.cross(v)); });
       const bool has_unit = !s.parameters.empty() && s.parameters[0].second >= 3;

@@ -64,6 +64,7 @@ CorotationSlopes<R>::CorotationSlopes(const CageElements& rest, const std::vecto
   std::vector<std::string> warnings;
   const auto local_stretches = [&] {
     std::vector<R> found;
+    found.reserve(places.size());
     for (const NormalPlace& at : places) found.push_back(stretch_of(Stretch::Mean, rest, given, at.element, at.corner));
     return found;
   };

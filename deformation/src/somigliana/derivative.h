@@ -156,6 +156,7 @@ class SomiglianaDerivative final : public PoseDerivative<R> {
 
   static std::vector<Mat3<R>> rotations_of(const std::vector<SpaceMatrix<R>>& given) {
     std::vector<Mat3<R>> found;
+    found.reserve(given.size());
     for (const SpaceMatrix<R>& rotation : given) found.push_back(in_three<R>(rotation));
     return found;
   }
