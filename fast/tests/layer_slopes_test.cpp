@@ -42,6 +42,7 @@ std::vector<double> differences(const Evaluation& of, const Sample& s, std::size
   const Mp50 h = Mp50(1e-9) * s.distance;
   const auto at = [&](int steps) {
     std::vector<Vec3<Mp50>> corners;
+    corners.reserve(s.corners.size());
     for (const Vec& c : s.corners) corners.push_back(convert<Mp50>(c));
     corners[corner][axis] += steps * h;
     return layer<Mp50>(of, corners, convert<Mp50>(s.point));
