@@ -77,6 +77,7 @@ Finding answer(const std::vector<Q>& questions, const RowKey& row, const StoredF
 // The names that decide what a row's cases need.
 std::string names_of(const RowKey& row, std::string_view evaluation, Triangulation rule, const StoredFacts& stored) {
   std::vector<std::string> folders;
+  folders.reserve(stored.folders.size());
   for (const auto& folder : stored.folders) folders.push_back(folder.string());
   return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", row.subject, evaluation, row.setting, static_cast<int>(rule),
                      stored.cage_content, fmt::join(folders, "\n"));

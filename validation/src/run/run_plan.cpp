@@ -207,6 +207,9 @@ class Planner {
       const CageSymmetries symmetries(cage, kind, coordinates.evaluation(), options_.triangulation);
     } catch (const InputError& error) {
       known->second = error.what();
+      // The note says this before the reason.
+      const std::string said = fmt::format("{}: no {} coordinates: ", cage.name(), kind.name);
+      if (known->second.starts_with(said)) known->second.erase(0, said.size());
     }
     doing("planning");
     return known->second;
