@@ -59,7 +59,7 @@ std::vector<Vec3<double>> pulled_back(const CageCoordinates& coordinates, std::s
   const auto d = static_cast<std::size_t>(coordinates.dimension());
   std::vector<char> missing(points.size());
   std::vector<double> beyond(run.extend ? points.size() : 0);
-  const auto found = pulled(
+  auto found = pulled(
       derivative, weights, d, points.size(), maker.length(),
       run.jobs, [&](std::size_t block, std::vector<CoordinateTable<double>> & held) -> const auto& {
         maker.make(block, held, missing, beyond);

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """A program that answers sevens, until the x of a point is 0.5: then it does what its argument says."""
 import json

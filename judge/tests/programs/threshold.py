@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """A triangle's solid angle over 4 pi, zero where a volume is below an absolute threshold: lines of `eval` in, answers out."""
 import json
