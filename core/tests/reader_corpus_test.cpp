@@ -15,7 +15,7 @@ namespace {
 #endif
 #endif
 #ifdef CAGEPROOF_IS_SANITIZED
-constexpr std::chrono::seconds kMostTime{10};
+constexpr std::chrono::seconds kMostTime{60};
 #else
 constexpr std::chrono::seconds kMostTime{2};
 #endif
