@@ -46,6 +46,8 @@ std::vector<Vec3<double>> with_exact_midpoints(const CageElements& elements) {
   for (int c = 0; c < 3; ++c) {
     double largest = 0;
     for (const Vec3<double>& v : vertices) largest = std::max(largest, std::abs(v[c]));
+    // In the plane all are zero along the third axis.
+    if (largest == 0) continue;
     const double unit = std::ldexp(1., std::ilogb(largest) - 50);
     for (Vec3<double>& v : found)
       if (std::isnormal(unit)) v[c] = std::round(v[c] / unit) * unit;
