@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks what compressed arrays of a VTP file state, before VTK 9.1 walks over as many blocks, be they billions.
+// Checks what compressed arrays and offsets of a VTP file state, before VTK 9.1 walks over as many blocks, or makes
+// room for as many entries, be they billions.
 #include "vtp_check.h"
 
 #include "cage/mesh_files.h"
@@ -56,6 +57,7 @@ class BlockCheck {
   void read_node(xmlTextReader& reader) {
     const int type = xmlTextReaderNodeType(&reader);
     if (type == XML_READER_TYPE_TEXT && is_binary_) check(decoded(view(xmlTextReaderConstValue(&reader)), 2 * width_));
+    if (type == XML_READER_TYPE_TEXT && is_offsets_) check_offsets(view(xmlTextReaderConstValue(&reader)));
     if (type != XML_READER_TYPE_ELEMENT) return;
     const std::string_view name = view(xmlTextReaderConstName(&reader));
     if (name == "VTKFile") {
@@ -65,8 +67,21 @@ class BlockCheck {
     }
     const std::string format = value(reader, "format");
     is_binary_ = format == "binary";
+    is_offsets_ = format == "ascii" && value(reader, "Name") == "offsets";
     if (format == "appended") add_offset(value(reader, "offset"));
     if (name == "AppendedData") check_appended(value(reader, "encoding") == "raw");
+  }
+  // Ends of cells in the array of their vertices, for which VTK makes room before it looks at what there is.
+  void check_offsets(std::string_view text) const {
+    const char* const end = text.data() + text.size();
+    for (const char* at = text.data(); at != end;) {
+      double entries = 0;
+      const auto [next, error] = std::from_chars(at, end, entries);
+      if (error == std::errc() && entries > static_cast<double>(file_.size()))
+        at_.fail(fmt::format("an array of offsets ends a cell at entry {}, more than the file's {} bytes hold", entries,
+                             file_.size()));
+      at = error == std::errc() ? next : at + 1;
+    }
   }
   void add_offset(std::string_view text) {
     std::size_t offset = 0;
@@ -103,7 +118,7 @@ class BlockCheck {
   const FileLine& at_;
   std::vector<std::size_t> offsets_;
   std::size_t width_ = sizeof(std::uint32_t);
-  bool is_compressed_ = false, is_big_ = false, is_binary_ = false;
+  bool is_compressed_ = false, is_big_ = false, is_binary_ = false, is_offsets_ = false;
 };
 
 }  // namespace

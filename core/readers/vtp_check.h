@@ -5,7 +5,8 @@
 
 namespace cageproof::mesh_files {
 
-/// A compressed array of a VTP file states no more blocks, and no more bytes in them, than the file can hold.
+/// Checks that compressed arrays of a VTP file state no more blocks, and no more bytes in them, than the file can hold,
+/// and that offsets written as text end no cell beyond.
 /// \throws InputError when one does
 void check_blocks(std::string_view file, const FileLine& at);
 

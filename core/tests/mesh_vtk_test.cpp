@@ -310,6 +310,11 @@ TEST(vtp_reads, doubles_exactly) {
   EXPECT_EQ(mesh.faces, kFaces);
 }
 
+TEST(vtp_rejects, offsets_beyond_what_the_file_holds) {
+  expect_parts(error_of("mesh.vtp", replaced(vtp(), "3 6 9 12", "3 6 9 1000000000")),
+               {"ends a cell at entry 1e+09", "bytes hold"});
+}
+
 TEST(vtp_rejects, everything_that_is_not_whole) {
   const std::string text = vtp();
   for (std::size_t cut = 1; cut < text.find("</VTKFile>"); cut += 13) error_of("cut.vtp", text.substr(0, cut));

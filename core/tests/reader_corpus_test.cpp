@@ -15,7 +15,7 @@ namespace {
 #endif
 #endif
 #ifdef CAGEPROOF_IS_SANITIZED
-constexpr std::chrono::seconds kMostTime{60};
+constexpr std::chrono::seconds kMostTime{10};
 #else
 constexpr std::chrono::seconds kMostTime{2};
 #endif
