@@ -8,9 +8,9 @@
 
 namespace cageproof::deformation {
 
-/// Slopes of stretched_normals(): each row takes the vertices of its element. Exact to rounding; of rest triangles
-/// whose edges are next to in line in 50 digits, as the normals are. \throws InputError, naming the element, where a
-/// posed element has no area or length and its normal no derivative
+/// Returns the slopes of stretched_normals(). Each row takes the vertices of its element. Exact to rounding; of rest
+/// triangles whose edges are next to in line in 50 digits, as the normals are. \throws InputError, naming the element,
+/// where a posed element has no area or length and its normal no derivative
 template <Scalar R>
 RowSlopes<R> stretched_normal_slopes(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices);
 

@@ -14,7 +14,7 @@ struct TurnSlopes {
   RowSlopes<R> slopes;
 };
 
-/// Slopes of turns_of() with a blend of one: of each normal's element there, or of each vertex.
+/// Returns the slopes of turns_of() with a blend of one, of each normal's element there, or of each vertex.
 /// \param from, posed in a unit of about the cage's size, by which the slopes are
 /// \throws InputError for an element without a normal, and where a rotation is not unique
 template <Scalar R>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Derivatives of images by posed vertices: against differences of the images themselves, in 50 digits and in double,
-// and by laws: both directions are one matrix, and rigid motions and scalings of the pose take the images with them.
+// Derivatives of images by posed vertices agree with differences of the images themselves, in 50 digits and in double,
+// and keep laws: both directions are one matrix, and rigid motions and scalings of the pose take the images with them.
 #include "settings.h"
 
 #include "cageproof/deformation/point_images.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Derivatives of layers by corners: against differences of the layers in 50 digits, which share nothing with them; and
-// by laws.
+// Derivatives of layers by corners agree with differences of the layers in 50 digits, which share nothing with them,
+// and keep laws.
 #include "cageproof/fast/layer_slopes.h"
 
 #include "cageproof/core/catalogue/evaluation.h"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The papers' figures: what is drawn is what deformers do, and captions say what is drawn.
+#include "figure_panels.h"
+
 #include "cageproof/validation/paper_figures.h"
 #include "figures/embedded_figures.h"
 #include "figures/figure_measures.h"
@@ -29,18 +31,6 @@ FigureFindings all_of(const PaperFigure& figure, int jobs = 1) {
   FigureFindings found;
   for (int part = 0; part < figure.parts(); ++part) found.merge(figure.part(part, jobs));
   return found;
-}
-
-const reports::FigurePanel& panel_of(const reports::FigureSheet& sheet, const std::string& file) {
-  const auto at = std::ranges::find(sheet.panels, file, &reports::FigurePanel::file);
-  if (at == sheet.panels.end()) throw std::invalid_argument("no panel " + file);
-  return *at;
-}
-
-double measured(const reports::FigurePanel& panel, const std::string& name) {
-  for (const auto& [known, value] : panel.measured)
-    if (known == name) return value;
-  throw std::invalid_argument("no figure " + name);
 }
 
 // By Gauss's theorem, each face as a fan around its centroid: unlike the sum of tetrahedra from one vertex.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The papers' figures of the plane: their meshes and measures, and what the papers say of them.
+#include "figure_panels.h"
+
 #include "figures/embedded_figures.h"
 #include "figures/plane_measures.h"
 #include "figures/plane_notes.h"
@@ -32,18 +34,6 @@ reports::FigureSheet sheet_of(const PaperFigure& figure, std::size_t number = 0)
     found[key] = mesh;
   }
   return figure.sheets(found).at(number);
-}
-
-const reports::FigurePanel& panel_of(const reports::FigureSheet& sheet, const std::string& file) {
-  const auto at = std::ranges::find(sheet.panels, file, &reports::FigurePanel::file);
-  if (at == sheet.panels.end()) throw std::invalid_argument("no panel " + file);
-  return *at;
-}
-
-double measured(const reports::FigurePanel& panel, const std::string& name) {
-  for (const auto& [known, value] : panel.measured)
-    if (known == name) return value;
-  throw std::invalid_argument("no figure " + name);
 }
 
 double shoelace(const std::vector<Vec3<double>>& points, const std::vector<int>& face) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // [T18]'s and [T24]'s figures in space: what captions state, measured by other means, and what the papers claim.
+#include "figure_panels.h"
+
 #include "figures/bilinear_surface.h"
 #include "figures/embedded_figures.h"
 #include "figures/figure_measures.h"
@@ -29,18 +31,6 @@ std::vector<reports::FigureSheet> sheets_of(const PaperFigure& figure) {
     found[key] = mesh;
   }
   return figure.sheets(found);
-}
-
-const reports::FigurePanel& panel_of(const reports::FigureSheet& sheet, const std::string& file) {
-  const auto at = std::ranges::find(sheet.panels, file, &reports::FigurePanel::file);
-  if (at == sheet.panels.end()) throw std::invalid_argument("no panel " + file);
-  return *at;
-}
-
-double measured(const reports::FigurePanel& panel, const std::string& name) {
-  for (const auto& [known, value] : panel.measured)
-    if (known == name) return value;
-  throw std::invalid_argument("no figure " + name);
 }
 
 double off(const reports::FigureSheet& sheet, const std::string& file) {

@@ -130,14 +130,13 @@ std::string block_text(const CageConvention::Block& block, std::string_view labe
 // Which habit changes the signs of just these blocks; empty for none.
 std::string_view sign_hint(const std::vector<CageConvention::Block>& blocks, const CoordinateKind& kind,
                            int dimension) {
-  const std::string element = dimension == 2 ? "segment." : "triangle.";
+  const ElementKind element = dimension == 2 ? ElementKind::Segment : ElementKind::Triangle;
   bool is_any = false, is_all = true, turns = true;
   for (const CageConvention::Block& block : blocks) {
     const bool is_negative = block.factor < 0;
-    const Formula& formula = formula_named(element + std::string(kind.blocks[block.ours].kernel));
     is_any = is_any || is_negative;
     is_all = is_all && is_negative;
-    turns = turns && is_negative == (formula.flip_sign < 0);
+    turns = turns && is_negative == (find_formula(element, kind.blocks[block.ours].kernel)->flip_sign < 0);
   }
   if (!is_any || kind.normalised) return "";
   if (is_all) return " (the other sign of the fundamental solution)";

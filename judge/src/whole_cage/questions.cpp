@@ -98,6 +98,7 @@ std::vector<double> truth_of(const CageQuestion& q, std::string_view kind, std::
 std::vector<CageSample> cage_samples(std::string_view kind, double unit, int dimension) {
   std::vector<CageSample> samples;
   std::uint64_t index = 0;
+  const bool interpolates = coordinate_kind_named(kind).normalised;
   for (const Shape& shape : shapes(dimension)) {
     for (int i = 0; i < 6; ++i) {
       CageSample sample{question_of(shape, inside(shape, index++)), {}};
@@ -106,8 +107,8 @@ std::vector<CageSample> cage_samples(std::string_view kind, double unit, int dim
       sample.truth = truth_of(sample.question, kind, &sample.sizes);
       samples.push_back(std::move(sample));
     }
-    // Mean value coordinates interpolate: on a face they are the barycentric ones, whatever the cage.
-    for (int face = 0; kind == "mean_value" && face < static_cast<int>(shape.faces.size()); face += 2)
+    // Coordinates that interpolate are the barycentric ones on a face, whatever the cage.
+    for (int face = 0; interpolates && face < static_cast<int>(shape.faces.size()); face += 2)
       for (const auto& weights : dimension == 2 ? kOnSegments : kOnFaces) {
         samples.push_back(on_face(shape, face, weights));
         scale(samples.back().question, unit);

@@ -89,15 +89,16 @@ Cage bar_cage() {
   return Cage::make("bar", std::move(vertices), embedded_cage("twisted-bar").faces());
 }
 
-FigurePoints bent_bar(double angle, double length) {
+FigurePoints bent_about_y(FigurePoints points, double angle, double length) {
   const double radius = 2 * length / angle;
-  FigurePoints posed = bar_cage().vertices();
-  for (Vec3<double>& p : posed) {
+  for (Vec3<double>& p : points) {
     const double turn = 0.5 * angle * p[2], out = radius - p[0];
     p = Vec3<double>(radius - out * std::cos(turn), p[1], out * std::sin(turn));
   }
-  return posed;
+  return points;
 }
+
+FigurePoints bent_bar(double angle, double length) { return bent_about_y(bar_cage().vertices(), angle, length); }
 
 FigurePoints twisted_bar_pose() { return embedded_cage("twisted-bar").vertices(); }
 

@@ -25,7 +25,10 @@ TonedMesh grid(double width, double height, double step);
 /// ends.
 Cage bar_cage();
 
-/// The bar bent in the plane of x and z to an arc of so many radians, its length times `length`.
+/// Points bent in the plane of x and z to an arc of so many radians; z = -1 to 1 gets `length` times as long at x = 0.
+std::vector<Vec3<double>> bent_about_y(std::vector<Vec3<double>> points, double angle, double length = 1);
+
+/// The bar, bent so.
 std::vector<Vec3<double>> bent_bar(double angle, double length);
 
 /// The bar twisted by a quarter turn: the embedded cage twisted-bar.

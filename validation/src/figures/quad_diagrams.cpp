@@ -75,9 +75,8 @@ class ValidQuadsFigure final : public PaperFigure {
     sheet.text = fmt::format(
         "Bilinear quads above, and below the one of the projections along the normals of three successive corners that "
         "is the least convex. {} are valid, because all of their projections are convex, and {} are not. \"least "
-        "sine\": "
-        "of an angle of the projection, 1 for a right one, negative where it is not convex. Red: faces that show their "
-        "inner side, where the planar quads fold over.",
+        "sine\" is the least of the projection's angles: 1 for a right one, negative where it is not convex. Red faces "
+        "show their inner side: the planar quads fold over there.",
         valid, quads_.size() - valid);
     for (const NamedQuad& one : quads_) sheet.panels.push_back(projected(one, sheet.view));
     return {std::move(sheet)};

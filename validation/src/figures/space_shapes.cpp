@@ -101,15 +101,6 @@ std::vector<Vec3<double>> twisted_about_z(std::vector<Vec3<double>> vertices, do
   return vertices;
 }
 
-std::vector<Vec3<double>> bent_about_y(std::vector<Vec3<double>> vertices, double angle) {
-  const double radius = 2 / angle;
-  for (Vec3<double>& p : vertices) {
-    const double turn = 0.5 * angle * p[2], out = radius - p[0];
-    p = Vec3<double>(radius - out * std::cos(turn), p[1], out * std::sin(turn));
-  }
-  return vertices;
-}
-
 Mesh cell_surface(const CellPlanes& planes, const std::function<bool(const std::array<int, 3>&)>& holds) {
   Mesh found;
   std::map<std::array<int, 3>, int> known;

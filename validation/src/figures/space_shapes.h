@@ -16,9 +16,6 @@ Cage plain_bar(int pieces);
 /// Vertices turned about z by an angle that grows along z, from 0 at z = -1 to so many radians at z = 1.
 std::vector<Vec3<double>> twisted_about_z(std::vector<Vec3<double>> vertices, double angle);
 
-/// Vertices bent in the plane of x and z to an arc of so many radians, their z = -1 to 1 kept in length at x = 0.
-std::vector<Vec3<double>> bent_about_y(std::vector<Vec3<double>> vertices, double angle);
-
 /// Planes at these places of each axis, which cut space in cells.
 using CellPlanes = std::array<std::vector<double>, 3>;
 

@@ -369,9 +369,10 @@ class Planner {
     NamesByReason refused;
     for (const CoordinateKind& kind : coordinate_kinds()) {
       if (options_.cage && exists_on(kind, *cage) && !is_affordable(kind, *cage, cage_options()))
-        plan_.header.notes.push_back(
-            fmt::format("{}: {} is not judged, the cage has more than {} elements, on which solving takes its time",
-                        cage->name(), kind.name, cage_options().solved_elements));
+        plan_.header.notes.push_back(fmt::format(
+            "{}: {} and its deformer, if it has one, are not judged, because solving takes its time on more "
+            "than {} elements",
+            cage->name(), kind.name, cage_options().solved_elements));
       if (!is_asked(kind, *cage)) continue;
       std::string reason = refusal_of(kind, *cage);
       if (reason.empty()) {
