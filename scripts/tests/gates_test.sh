@@ -38,7 +38,7 @@ expect 0 'Installed.' ensure 'libvtk9-dev python3-vtk9 python3-paraview'
 # A project of one header and one source, with the gates' scripts.
 mkdir -p "$work/project/scripts" "$work/project/core/src"
 cd "$work/project" || exit 2
-cp "$root/scripts/check_format.sh" "$root/scripts/check_tidy.sh" scripts
+cp "$root/scripts/check_format.sh" "$root/scripts/check_tidy.sh" "$root/scripts/tidy_units.py" scripts
 cp "$root/.clang-format" .clang-format
 printf 'int one();\n' >core/src/one.h
 printf '#include "one.h"\n\nint one() { return 1; }\n' >core/src/one.cpp
@@ -96,6 +96,16 @@ if command -v clang-tidy-16 >/dev/null; then
   printf 'int one();\ninline char* none() { return 0; }\n' >core/src/first.h
   commit broken
   expect 1 '0 of 1 sources are clean, 1 are not' scripts/check_tidy.sh HEAD~2
+  # Sources that are read at once: a finding names its own.
+  printf '#include "first.h"\n\nint one() { return 2; }\n' >core/src/one.cpp
+  printf 'int one();\n' >core/src/first.h
+  printf 'int two();\nint two() {\n  const char* none = 0;\n  return none == nullptr;\n}\n' >core/src/two.cpp
+  sed -i 's,core/src/one.cpp,core/src/one.cpp core/src/two.cpp,' CMakeLists.txt
+  commit two
+  expect 1 'core/src/two.cpp:3' scripts/check_tidy.sh HEAD~1
+  sed -i 's/ = 0/ = nullptr/' core/src/two.cpp
+  commit 'two mended'
+  expect 0 '2 of 2 sources are clean' scripts/check_tidy.sh HEAD~2
 fi
 
 # A build without ninja's records tells nothing of included files.
