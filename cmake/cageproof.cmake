@@ -155,7 +155,7 @@ function(cageproof_tests name)
     endforeach()
   endif()
   target_link_libraries(${name}_tests PRIVATE ${ARG_LINK} cageproof_flags GTest::gtest)
-  target_include_directories(${name}_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  target_include_directories(${name}_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/cmake)
   # GCC takes a precompiled header only with the very definitions that it was made with; core's tests come first.
   if(CMAKE_CXX_COMPILER_ID STREQUAL Clang AND NOT name STREQUAL core)
     target_precompile_headers(${name}_tests REUSE_FROM core_tests)

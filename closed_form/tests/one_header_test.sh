@@ -27,7 +27,8 @@ fi
 
 # The commands say c++.
 mkdir "$work/bin" "$work/alone"
-printf '#!/bin/sh\nexec "%s" "$@"\n' "$compiler" >"$work/bin/c++"
+# Without optimisation, which has no part in what is tested and takes most of the time.
+printf '#!/bin/sh\nexec "%s" "$@" -O0\n' "$compiler" >"$work/bin/c++"
 chmod +x "$work/bin/c++"
 export PATH="$work/bin:$PATH"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Limits of layers at points within elements, against layers next to them in many digits.
 #include "support.h"
+#include "thinned.h"
 
 #include "cageproof/core/input_error.h"
 
@@ -28,6 +29,8 @@ TEST(limits, are_those_of_points_next_to_slanted_elements) {
     for (const char* kind : {"green", "biharmonic", "regularised_1_3", "regularised_1_2", "regularised_weber",
                              "harmonic", "biharmonic_boundary"}) {
       if (!exists_on(coordinate_kind_named(kind), posed)) continue;
+      // Their system in 50 digits takes half a minute.
+      if (kind == std::string_view("harmonic") && posed.dimension() == 3 && test_stride() > 1) continue;
       const CageCoordinates coordinates(posed, coordinate_kind_named(kind), CoordinateOptions{});
       std::vector<Touching> places;
       for (int e = 0; e < static_cast<int>(coordinates.elements().count()); e += 3)

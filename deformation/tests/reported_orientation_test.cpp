@@ -18,9 +18,9 @@ TEST(reported, poses_inside_out_by_every_method_with_normals) {
     const int d = c.cage.dimension();
     const std::vector<Vec> mirrored = turned(scaled(c.posed, Vec(-1, 1, 1)), d), proper = turned(c.posed, d);
     for (const Setting& s : settings_on(c.cage)) {
-      const auto deformer = prepared_with(c.cage, s);
-      EXPECT_EQ(warns_of(deformer->pose({mirrored})->report(), words), has_normals_of_its_own(s)) << c.name << s.text();
-      EXPECT_FALSE(warns_of(deformer->pose({proper})->report(), words)) << c.name << ' ' << s.text();
+      const auto& deformer = kept_with(c.cage, s);
+      EXPECT_EQ(warns_of(deformer.pose({mirrored})->report(), words), has_normals_of_its_own(s)) << c.name << s.text();
+      EXPECT_FALSE(warns_of(deformer.pose({proper})->report(), words)) << c.name << ' ' << s.text();
     }
   }
 }
@@ -34,9 +34,9 @@ TEST(reported, poses_inside_out_say_whether_mirror_images_are_kept) {
                            expected = turned(scaled(c.points, by), d);
     for (const Setting& s : settings_on(c.cage)) {
       if (!has_normals_of_its_own(s)) continue;
-      const auto deformer = prepared_with(c.cage, s);
-      const auto posed = deformer->pose({mirrored});
-      const bool kept = (image(deformer->images(*posed, c.points, 0), 0, d) - expected[0]).norm() < 1e-10;
+      const auto& deformer = kept_with(c.cage, s);
+      const auto posed = deformer.pose({mirrored});
+      const bool kept = (image(deformer.images(*posed, c.points, 0), 0, d) - expected[0]).norm() < 1e-10;
       EXPECT_EQ(warns_of(posed->report(), "mirror images are not kept"), !kept) << c.name << s.text();
     }
   }
@@ -98,8 +98,8 @@ TEST(reported, points_on_the_cage_have_the_images_next_to_them) {
     ASSERT_FALSE(elements.touching(on).empty());
     const Vec inward = elements.normals()[elements.touching(on)[0].element];
     for (const Setting& s : settings_on(c.cage)) {
-      const auto deformer = prepared_with(c.cage, s);
-      const Images<double> images = deformed(*deformer, c.posed, {on, on - 1e-9 * inward});
+      const auto& deformer = kept_with(c.cage, s);
+      const Images<double> images = deformed(deformer, c.posed, {on, on - 1e-9 * inward});
       EXPECT_LT((image(images, 0, d) - image(images, 1, d)).norm(), 1e-6) << c.name << ' ' << s.text();
     }
   }

@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <tuple>
 
 namespace cageproof::deformation::test {
 
@@ -85,6 +88,19 @@ std::shared_ptr<const Deformer<R>> prepared_with(const Cage& cage, const Setting
   return prepare_deformer<R>(method, cage, {.parameters = std::move(values)});
 }
 
+/// What prepared_with() gives, prepared once for all tests of a program.
+inline const Deformer<double>& kept_with(const Cage& cage, const Setting& setting) {
+  using Key = std::tuple<std::string, std::vector<double>, std::vector<int>>;
+  static std::map<Key, std::shared_ptr<const Deformer<double>>> kept;
+  Key key{setting.text(), {}, {}};
+  for (const Vec& v : cage.vertices()) std::get<1>(key).insert(std::get<1>(key).end(), {v[0], v[1], v[2]});
+  for (const Face& f : cage.faces())
+    std::get<2>(key).insert(std::get<2>(key).end(), f.vertices.begin(), f.vertices.end());
+  auto& found = kept[std::move(key)];
+  if (!found) found = prepared_with(cage, setting);
+  return *found;
+}
+
 /// The text of a refusal; empty if there is none.
 template <class Action>
 std::string refusal_of(const Action& action) {
@@ -101,7 +117,7 @@ inline bool contains(const std::string& text, const std::string& words) {
 }
 
 inline DeformationReport report_of(const Cage& cage, const Setting& setting, const std::vector<Vec>& posed) {
-  return prepared_with(cage, setting)->pose({posed, {}})->report();
+  return kept_with(cage, setting).pose({posed, {}})->report();
 }
 
 inline bool is_finite(const Images<double>& images) {

@@ -3,6 +3,8 @@
 #include "cageproof/core/catalogue/evaluation.h"
 #include "cageproof/core/numbers/random_stream.h"
 
+#include "thinned.h"
+
 #include <gtest/gtest.h>
 
 namespace cageproof::closed_form::joint_test {
@@ -38,7 +40,7 @@ std::vector<Input> triangle_inputs(int count) {
     for (int k = 1; k <= 8; k += 2) points.push_back(middle + std::pow(10.0, k) * random_point(random));
     inputs.push_back({{a, b, c}, points});
   }
-  return inputs;
+  return thinned(std::move(inputs));
 }
 
 std::vector<Input> segment_inputs(int count) {
@@ -52,7 +54,7 @@ std::vector<Input> segment_inputs(int count) {
                       {flat(random_point(random)), a, b, Vec((a + b) / 2), Vec(2 * b - a),
                        flat(1e5 * random_point(random)), flat(a + 1e-9 * random_point(random))}});
   }
-  return inputs;
+  return thinned(std::move(inputs));
 }
 
 template <Scalar R>
@@ -115,7 +117,7 @@ std::vector<Evaluation> group_of(std::initializer_list<const char*> formulas, Ro
 
 void expect_equal_in_all_scalars(std::initializer_list<const char*> formulas, const std::vector<Input>& inputs,
                                  int wide_inputs, std::array<double, 2> given = {1.5, 0.25}) {
-  const std::vector<Input> few(inputs.begin(), inputs.begin() + wide_inputs);
+  const std::vector<Input> few(inputs.begin(), inputs.begin() + std::max(2, wide_inputs / test_stride()));
   for (const Role role : {Role::Recommended, Role::ClosedForm}) {
     const auto group = group_of(formulas, role);
     for (const ScalarKind kind : scalar_kinds)

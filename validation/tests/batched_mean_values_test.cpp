@@ -5,6 +5,8 @@
 
 #include "cageproof/core/cage/embedded_cages.h"
 
+#include "thinned.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -33,15 +35,17 @@ void expect_kept(double a, double b, std::size_t least) {
   const BlockTruths truths(cage, kind, Triangulation::Shortest);
   const CageElements& elements = coordinates.elements();
   std::size_t asked = 0;
+  // Faces take turns with heights where not all are asked.
   for (std::size_t f = 0; f < elements.count(); ++f)
-    for (const double height : {0., 1e-15, 1e-12, 1e-9, 1e-6, 1e-4, 2.1e-3, 4e-3, 0.01, 0.03, 0.1, 0.3}) {
+    for (const double height :
+         thinned<double>({0., 1e-15, 1e-12, 1e-9, 1e-6, 1e-4, 2.1e-3, 4e-3, 0.01, 0.03, 0.1, 0.3}, f)) {
       const auto k = elements.corners(f);
       const Vec3<double> point = k[0] + a * (k[1] - k[0]) + b * (k[2] - k[0]) + height * elements.normals()[f];
       if (!elements.touching(point).empty()) continue;
       expect_kept(coordinates, truths, point);
       ++asked;
     }
-  EXPECT_GE(asked, least);
+  EXPECT_GE(asked, least / test_stride());
 }
 
 TEST(BatchedMeanValues, next_to_planes_of_faces) { expect_kept(1.375, 0.8125, 120); }
