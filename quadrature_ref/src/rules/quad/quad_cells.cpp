@@ -200,11 +200,7 @@ std::vector<PlannedCell> quad_cells(const PolarQuadFrame<Mp50>& frame, double di
 }
 
 QuadPoints points_for(const PlannedCell& cell, double digits) {
-  // Few different rules: each is computed once a precision.
-  const auto rounded = [](double n) {
-    const int least = static_cast<int>(std::ceil(std::min(n, kMostPoints)));
-    return least <= 12 ? least : (least + 3) / 4 * 4;
-  };
+  const auto rounded = [](double n) { return static_cast<int>(std::ceil(std::min(n, kMostPoints))); };
   const double t = points(digits, cell.half_t, cell.ellipse_t), w = points(digits, cell.half_w, cell.ellipse_w);
   return {rounded(t), rounded(w), t <= kMostPoints && w <= kMostPoints};
 }

@@ -20,8 +20,10 @@ QuadSum::QuadSum(const Integrand& integrand, const QuadFrame<Mp200>& q, const Cl
   const PolarQuadFrame<Mp200> frame = polar_quad_frame(q, c.u, c.v);
   const Mp200 u = moved(c.u, Mp200(frame.distance / length(frame.at.along_u) / 4));
   const Mp200 v = moved(c.v, Mp200(frame.distance / length(frame.at.along_v) / 4));
-  cuts_[0] = cut(frame, digits, 2.5);
-  cuts_[1] = cut(polar_quad_frame(q, u, v), digits, 2.1);
+  // The longer a cell, the fewer points it takes per unit of length. From these lengths on more would gain little, and
+  // cells that no cut makes shorter would be the same in both.
+  cuts_[0] = cut(frame, digits, 6);
+  cuts_[1] = cut(polar_quad_frame(q, u, v), digits, 5);
   std::array<double, 3> mass;
   mass.fill(kNoMass);
   for (const auto& of_cell : cuts_[0].mass)

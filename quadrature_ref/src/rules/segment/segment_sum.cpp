@@ -50,7 +50,9 @@ Result<Mp200> SegmentSum::with_error(const Cut& cut, const std::array<double, 3>
     for (int o = 0; o <= order_; ++o)
       if (cut.mass[i][o] > kNoMass) digits = std::max(digits, cut.mass[i][o] - log10_error[o]);
     digits = std::min(digits, kDigitsIn200);
-    const int n = std::max(kFewestOnPanel, nodes_for(panel.lo, panel.hi, exact_frame_.singular, digits));
+    // Where both cuts are one panel, rules that share their nodes would agree in any case.
+    const int n = std::max(kFewestOnPanel, nodes_for(panel.lo, panel.hi, exact_frame_.singular, digits)) +
+                  (&cut == cuts_.data() ? 1 : 0);
     if (digits <= kDigitsIn50) add_panel(frame50_, panel, n, total);
     else if (digits <= kDigitsIn100) add_panel(frame100_, panel, n, total);
     else add_panel(exact_frame_, panel, n, total);

@@ -8,6 +8,9 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
+// By how many directions every second sum's rings have more, so that comparing two sums tests the directions as well.
+constexpr int kMoreDirections = 4;
+
 // log10 of the square of the Bernstein radius on the longest edge, from the distance of eta to the centroid.
 double convergence_rate(const TriangleFrame<Mp200>& t) {
   double reach = 0, half_edge = 0;
@@ -37,7 +40,9 @@ Result<Mp200> FarSum::at_precision(int n) {
 }
 
 Result<Mp200> FarSum::at(double digits) {
-  const int n = std::clamp(static_cast<int>(std::ceil(digits / log10_rate_)) + 2, 4, 256);
+  // Far away one more point gains many digits: rules for a few more would be the same one, and would agree in any case.
+  const int n = std::clamp(static_cast<int>(std::ceil(digits / log10_rate_)) + 2, 4, 256) + (finer_ ? 1 : 0);
+  finer_ = !finer_;
   return digits <= kDigitsIn50    ? at_precision<Mp50>(n)
          : digits <= kDigitsIn100 ? at_precision<Mp100>(n)
                                   : at_precision<Mp200>(n);
@@ -70,7 +75,10 @@ Result<Mp200> PolarSum::with_error(const std::array<double, 3>& log10_error) {
         if (mass_[i][o] > kNoMass && !declines(o)) digits = std::max(digits, mass_[i][o] - log10_error[o]);
       CellPoints& points = points_in[i];
       points = points_for(exact_frame_, cells_[i], std::min(digits, kDigitsIn200));
-      if (cells_[i].edge < 0) points.t += more_directions_;
+      if (finer_) {
+        points.t += cells_[i].edge < 0 ? kMoreDirections : 1;
+        ++points.w;
+      }
       work += points.t * points.w * (digits <= kDigitsIn50 ? 1 : digits <= kDigitsIn100 ? 1.5 : 3);
     }
   } while (too_much(work));
@@ -101,8 +109,9 @@ Result<Mp200> PolarSum::at(double digits) {
     scout();
     scouted_ = true;
   }
-  more_directions_ = 4 - more_directions_;
-  return with_error(error_of(digits));
+  Result<Mp200> sums = with_error(error_of(digits));
+  finer_ = !finer_;
+  return sums;
 }
 
 }  // namespace cageproof::quadrature_ref

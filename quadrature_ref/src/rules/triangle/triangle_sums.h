@@ -18,7 +18,8 @@ class FarSum final : public ConvergingSum {
   Result<Mp200> at_precision(int n);
 
   const TriangleFrame<Mp200>& triangle_;
-  double log10_rate_;  ///< digits gained by one more point a side
+  double log10_rate_;   ///< digits gained by one more point a side
+  bool finer_ = false;  ///< see PolarSum
 };
 
 /// Polar cells, each with the points and the precision that its share demands.
@@ -41,7 +42,7 @@ class PolarSum final : public ConvergingSum {
   std::vector<PolarCell> cells_;
   std::vector<std::array<double, 3>> mass_;  ///< log10, a cell and order
   bool scouted_ = false;
-  int more_directions_ = 0;  ///< on rings; alternates, so that comparing two sums tests the directions as well
+  bool finer_ = false;  ///< every second sum has more points, since rules that share their nodes would agree
 };
 
 }  // namespace cageproof::quadrature_ref
