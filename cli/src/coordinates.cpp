@@ -4,6 +4,7 @@
 #include "coordinate_files.h"
 #include "dropping.h"
 #include "inputs_outside.h"
+#include "judge_option.h"
 #include "on_cage.h"
 #include "progress.h"
 #include "rows_file.h"
@@ -37,6 +38,7 @@ struct Arguments {
   double on = 0;  ///< a share of the cage's size
   bool strict = false, keep_quads = false;
   Dropping dropping;
+  JudgeOption judge;
 };
 
 void warn(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
@@ -191,7 +193,7 @@ validation::CoordinateSummary written_sparse(const Arguments& a, const CageCoord
   return summary;
 }
 
-int run(const Arguments& a) {
+int run(Arguments& a) {
   check_solved_file(a);
   check_dropping(a.dropping, a.out, a.order);
   const CoordinateKind& named = coordinate_kind_named(a.kind);
@@ -208,6 +210,12 @@ int run(const Arguments& a) {
       warn(fmt::format("{}: {} (faces counted from 0)", cage.name(), fault));
   const Mesh mesh = load_points(a.points, cage.dimension());
   const std::vector<double> parameters = parameters_from(a.parameters, parameters_of(kind), kind.name);
+  if (a.judge.is_given()) {
+    std::vector<std::string_view> names;
+    for (const Formula* formula : formulas_of(kind, cage)) names.push_back(formula->name);
+    if (names.empty()) throw InputError(fmt::format("{} is no sum of formulas that --judge could give", kind.name));
+    a.judge.begin(fmt::format("{}", fmt::join(names, ",")));
+  }
   const CoordinateOptions options{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(),
                                   parameters};
   const CageCoordinates coordinates(cage, kind, options);
@@ -273,6 +281,7 @@ void add_coordinates(CommandLine& line) {
               "where "
               "the kind has it, else as recommended")
       .taking("EVALUATION");
+  a->judge.add_to(command);
   command.option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians").in_range(0, 2).showing_default();
   command.heading("Output");
   command

@@ -4,9 +4,11 @@
 #include "progress.h"
 
 #include "cageproof/core/catalogue/name_pattern.h"
+#include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/results/build_facts.h"
 #include "cageproof/judge/certificate.h"
+#include "cageproof/judge/sides.h"
 #include "cageproof/judge/templates.h"
 #include "cageproof/reports/checked_file.h"
 #include "cageproof/validation/machine_facts.h"
@@ -36,7 +38,8 @@ struct Arguments {
 // Files that are there stay as they are.
 int write_template(const Arguments& a) {
   const std::filesystem::path folder = a.out.empty() ? "." : a.out;
-  const auto files = judge::template_files(a.language);
+  if (a.formulas.size() > 1) throw InputError("--template has one formula: name one with --formula");
+  const auto files = judge::template_files(a.language, !a.formulas.empty() ? a.formulas.front() : a.kind);
   for (const auto& [name, text] : files)
     if (std::filesystem::exists(folder / name))
       throw InputError(fmt::format("{} is there already: name another folder with --out", (folder / name).string()));
@@ -77,6 +80,16 @@ void judge_formula(judge::Certificate& c, judge::ForeignCode& code, const Formul
 // Adds coordinates of whole cages to the certificate: their defects by name, their errors.
 void judge_kind(judge::Certificate& c, judge::ForeignCode& code, std::string_view kind, const std::string& name,
                 const judge::ElementCampaignOptions& options, int dimension) {
+  if (kind == judge::kSides) {
+    c.formulas.push_back(judge::run_side_campaign(code, options, dimension));
+    c.findings = judge::findings_of({c.formulas.back()}, {});
+    return;
+  }
+  if (code.is_library() && coordinate_kind_named(kind).keeps_quads)
+    throw InputError(
+        fmt::format("{} has faces of three and four corners, which cageproof_judge.h has no function for: judge a "
+                    "program that answers lines",
+                    kind));
   const judge::CageVerdict verdict = judge::judge_whole_cage(judge::whole_cage_function(code, kind), kind, dimension);
   c.formulas.push_back(judge::run_cage_campaign(code, kind, name, options, verdict.convention, dimension));
   c.findings = judge::named_findings(verdict, kind);
@@ -145,7 +158,11 @@ int run(Arguments& a) {
   const auto [name, what] = judge::name_and_what(a.code);
   std::vector<std::string_view> regimes;
   for (const validation::Regime& regime : validation::regimes()) regimes.push_back(regime.name);
-  if (!a.kind.empty()) {
+  if (a.kind == judge::kSides) {
+    if (!std::isnan(a.promise))
+      throw InputError("--promise is of numbers; sides are right or wrong, without --promise");
+    regimes = judge::side_regimes(a.dimension);
+  } else if (!a.kind.empty()) {
     judge::require_judged_kind(a.kind, a.dimension);
     regimes = judge::cage_regimes(a.dimension);
   }
@@ -220,8 +237,10 @@ void add_judge(CommandLine& line, const std::string& command_line) {
                        .taking("FORMULAS");
   Option kind =
       command
-          .option("--kind", a->kind,
-                  "coordinates of whole cages instead: mean_value, green or another kind with numbers for coordinates")
+          .option(
+              "--kind", a->kind,
+              "coordinates of whole cages instead: mean_value, green or another kind with numbers for coordinates; or "
+              "inside, for sides: 1 inside, 0 on the cage, -1 outside")
           .taking("KIND")
           .excludes(formula);
   command.option("--dimension", a->dimension, "of the cages: 3, triangles in space, or 2, polygons in the plane")
@@ -260,7 +279,9 @@ void add_judge(CommandLine& line, const std::string& command_line) {
   command.flag("--inputs", a->inputs, "show each row's worst input, as a line of eval");
   std::vector<std::string> languages;
   for (const std::string_view language : judge::template_languages()) languages.emplace_back(language);
-  command.option("--template", a->language, "write an example in this language, complete, to begin with")
+  command
+      .option("--template", a->language,
+              "write an example in this language to begin with, of --formula or --kind if given")
       .one_of(languages);
   command.flag("--strict", a->strict, "exit with 1 also where nothing can be said of some regime");
   add_quiet(command);

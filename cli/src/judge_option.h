@@ -21,6 +21,7 @@ class JudgeOption {
   ~JudgeOption();
 
   void add_to(Command command);
+  bool is_given() const { return !given_.empty(); }
   /// Starts and registers what was given. \param formulas the command's own list of names and globs
   /// \throws InputError as ForeignCode and register_foreign_code
   void begin(const std::string& formulas);

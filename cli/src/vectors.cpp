@@ -5,18 +5,22 @@
 #include "cageproof/core/catalogue/name_pattern.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/results/build_facts.h"
+#include "cageproof/judge/cage_vectors.h"
 #include "cageproof/judge/vectors.h"
 #include "cageproof/reports/checked_file.h"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 
 namespace cageproof::cli {
 namespace {
 
+constexpr std::array<std::string_view, 3> kCageKinds{"mean_value", "green", "biharmonic"};
+
 struct VectorArguments {
-  std::string out, formulas = "triangle.*,segment.*", command;
+  std::string out, formulas, kinds, cages = "*", command;
   judge::VectorOptions options;
 };
 
@@ -26,40 +30,74 @@ std::string npy(const std::vector<double>& numbers, const std::vector<std::size_
   return bytes;
 }
 
-int run(const VectorArguments& a) {
+struct Written {
+  std::vector<std::pair<std::filesystem::path, std::string>> files;
+  std::size_t vectors = 0, bytes = 0;
+
+  void add(const std::filesystem::path& stem, const char* ending, std::string content) {
+    bytes += content.size();
+    files.emplace_back(stem.string() + ending, std::move(content));
+  }
+};
+
+void add_cages(Written& written, const VectorArguments& a, const std::string& version) {
+  for (const std::string_view kind : kCageKinds) {
+    if (!matches(a.kinds, kind)) continue;
+    for (const std::string_view cage : judge::vector_cages()) {
+      if (!matches(a.cages, cage)) continue;
+      const judge::CageVectorSet set = judge::make_cage_vectors(kind, cage, a.options);
+      const std::filesystem::path stem = std::filesystem::path(a.out) / fmt::format("{}.{}", kind, cage);
+      written.add(stem, ".json", judge::cage_vectors_json(set, a.options, version, a.command));
+      written.add(stem, ".txt", judge::cage_vectors_text(set));
+      written.vectors += set.vectors.size();
+      fmt::print("{} in {}: {} vectors; {} of {} points fail no known defect\n", kind, cage, set.vectors.size(),
+                 set.without_defect, set.candidates);
+      std::fflush(stdout);
+    }
+  }
+}
+
+std::vector<std::string_view> formula_names() {
   std::vector<std::string_view> names;
   for (const Formula& formula : catalogue())
     if (validation::has_truth_source(formula)) names.push_back(formula.name);
-  require_known("formula", a.formulas, names);
-  std::error_code failed;
-  std::filesystem::create_directories(a.out, failed);
-  if (failed) throw InputError(fmt::format("cannot make the folder {}: {}", a.out, failed.message()));
-  const std::string version = fmt::format("{} (commit {})", CAGEPROOF_VERSION, build_commit());
-  std::vector<std::pair<std::filesystem::path, std::string>> files;
-  std::size_t vectors = 0, bytes = 0;
-  for (const std::string_view name : names) {
+  return names;
+}
+
+void add_formulas(Written& written, const VectorArguments& a, const std::string& version) {
+  for (const std::string_view name : formula_names()) {
     if (!matches(a.formulas, name)) continue;
     const judge::VectorSet set = judge::make_vectors(formula_named(name), a.options);
     const judge::VectorTables tables = judge::vectors_tables(set);
     const std::size_t rows = set.vectors.size();
     const std::filesystem::path stem = std::filesystem::path(a.out) / name;
-    const auto add = [&](const char* ending, std::string content) {
-      bytes += content.size();
-      files.emplace_back(stem.string() + ending, std::move(content));
-    };
-    add(".json", judge::vectors_json(set, a.options, version, a.command));
-    add(".txt", judge::vectors_text(set));
-    add(".inputs.npy", npy(tables.inputs, {rows, tables.input_columns}));
-    add(".truths.npy", npy(tables.truths, {rows, tables.truth_columns, 2}));
-    add(".denominators.npy", npy(tables.denominators, {rows, 3}));
-    vectors += rows;
+    written.add(stem, ".json", judge::vectors_json(set, a.options, version, a.command));
+    written.add(stem, ".txt", judge::vectors_text(set));
+    written.add(stem, ".inputs.npy", npy(tables.inputs, {rows, tables.input_columns}));
+    written.add(stem, ".truths.npy", npy(tables.truths, {rows, tables.truth_columns, 2}));
+    written.add(stem, ".denominators.npy", npy(tables.denominators, {rows, 3}));
+    written.vectors += rows;
     fmt::print("{}: {} vectors; {} of {} inputs fail no known defect\n", name, rows, set.without_defect,
                set.candidates);
     std::fflush(stdout);
   }
-  reports::replace_files(files);
-  fmt::print("{} vectors of {} formulas in {}: {:.1f} MB\n", vectors, files.size() / 5, a.out,
-             static_cast<double>(bytes) / 1e6);
+}
+
+int run(const VectorArguments& given) {
+  VectorArguments a = given;
+  if (a.formulas.empty() && a.kinds.empty()) a.formulas = "triangle.*,segment.*";
+  if (!a.formulas.empty()) require_known("formula", a.formulas, formula_names());
+  if (!a.kinds.empty()) require_known("kind of coordinates", a.kinds, {kCageKinds.begin(), kCageKinds.end()});
+  require_known("cage", a.cages, judge::vector_cages());
+  std::error_code failed;
+  std::filesystem::create_directories(a.out, failed);
+  if (failed) throw InputError(fmt::format("cannot make the folder {}: {}", a.out, failed.message()));
+  const std::string version = fmt::format("{} (commit {})", CAGEPROOF_VERSION, build_commit());
+  Written written;
+  if (!a.formulas.empty()) add_formulas(written, a, version);
+  if (!a.kinds.empty()) add_cages(written, a, version);
+  reports::replace_files(written.files);
+  fmt::print("{} vectors in {}: {:.1f} MB\n", written.vectors, a.out, static_cast<double>(written.bytes) / 1e6);
   return success;
 }
 
@@ -71,9 +109,17 @@ void add_vectors(CommandLine& line, const std::string& command_line) {
   auto a = std::make_shared<VectorArguments>();
   a->command = command_line;
   command.option("--out", a->out, "a folder for the files, made where it is missing").taking("DIR").required();
-  command.option("--formulas", a->formulas, "names and globs with commas between").taking("GLOB").showing_default();
+  command
+      .option("--formulas", a->formulas,
+              "names and globs with commas between; without --formulas and --kinds all formulas of triangles and "
+              "segments")
+      .taking("GLOB");
+  command.option("--kinds", a->kinds, "coordinates of whole cages: mean_value, green, biharmonic, or globs")
+      .taking("GLOB");
+  command.option("--cages", a->cages, "of --kinds").taking("GLOB").showing_default();
   command.option("--seed", a->options.seed, "of the samples").showing_default();
   command.option("--jobs", a->options.jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  command.example("cageproof vectors --kinds mean_value --out vectors");
   command.example("cageproof vectors --formulas triangle.single_layer --out vectors");
   command.runs([a] { return run(*a); });
 }

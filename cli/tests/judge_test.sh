@@ -38,6 +38,33 @@ assert c["judged"]["files"][0]["sha256"] == sys.argv[2].split()[0]
 assert {row["regime"] for row in c["formulas"][0]["rows"]} >= {"generic", "near-face", "far", "scaled"}
 END
 
+# Examples of one formula: the textbook form is wrong on edges only, as it says, others decline until the user's function is there.
+example() {
+  local language=$1 formula=$2 ending build
+  rm -rf example
+  "$cageproof" judge --template "$language" --formula "$formula" --out example >/dev/null || fail "template $language of $formula"
+  ending=$(sed 's/python/py/' <<<"$language")
+  grep -q "$formula" "example/mine.$ending" && ! grep -q '{{' "example/mine.$ending" || fail "template $language of $formula: $(cat "example/mine.$ending")"
+  build=$(sed -n 's/^[ /*]*\(c[c+][c+ ].*-o libmine.so.*\)$/\1/p' "example/mine.$ending" | sed 's/-shared/-Wall -Wextra -Werror -shared/')
+  what=./mine.py
+  [ -z "$build" ] || what=./libmine.so
+  (cd example && eval "$build" && "$cageproof" judge mine=$what --samples 20 --quiet) >stdout 2>stderr
+}
+for language in c cpp python; do
+  example $language triangle.solid_angle
+  [ "$(grep -c '^DEFECT' stdout)" -eq 1 ] && grep -q '^DEFECT wrong_values' stdout || fail "the solid angle in $language: $(cat stdout stderr)"
+  example $language triangle.kelvin_traction
+  [ $? -eq 2 ] && grep -q 'declined all inputs' stderr || fail "a frame in $language: $(cat stdout stderr)"
+done
+for kind in green inside spherical_mean_value; do
+  rm -rf example
+  "$cageproof" judge --template python-cage --kind $kind --out example >/dev/null || fail "template of $kind"
+  "$cageproof" judge mine=example/mine_cage.py --kind $kind --samples 3 --quiet >stdout 2>stderr
+  [ $? -eq 2 ] && grep -q 'declined all inputs' stderr || fail "a frame of $kind: $(cat stdout stderr)"
+done
+refuses_to judge 'whole cages, whose example is --template python-cage' -- --template c --kind mean_value
+refuses_to judge "unknown formula 'triangle.nothing'" -- --template c --formula triangle.nothing --out nothing
+
 # A certificate's input is a line that eval takes.
 /usr/bin/python3 -c 'import json; print(json.dumps(json.load(open("c/certificate/certificate.json"))["formulas"][0]["rows"][0]["conditioned"]["input"]))' |
   "$cageproof" eval --formula segment.winding_angle --evaluation hybrid >/dev/null || fail "an input of the certificate"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Forms that people use, judged: what docs/judged.md says of each is found. And whole cages: the template is clean, bad use is refused.
-# Usage: judged_test.sh PATH_OF_CAGEPROOF FOLDER_OF_JUDGE
+# Usage: judged_test.sh PATH_OF_CAGEPROOF FOLDER_OF_JUDGE [long]: `long` also compiles adapters that take a minute.
 . "$(dirname "$0")/support.sh"
 export CAGEPROOF_TRUTH_CACHE=off
 folder=$2
@@ -25,6 +25,7 @@ finds() {
 finds solid_angle 'far_cancellation outer_limit_on_face wrong_values '
 finds polyhedron_gravity 'far_cancellation log_next_to_edge '
 finds graglia_potential 'absolute_threshold far_cancellation wrong_values '
+finds urago_layers 'absolute_threshold far_cancellation nan_at_edge nan_at_vertex plane_branch projected_into_face wrong_values '
 finds ju_mean_value 'absolute_threshold wrong_on_cage ' --kind mean_value
 vtk=$(find /usr/include -maxdepth 1 -name 'vtk-*' | sort | tail -1)
 if [ -n "$vtk" ]; then
@@ -43,6 +44,32 @@ import json
 rows = {row["regime"]: row for row in json.load(open("cgal/certificate.json"))["formulas"][0]["rows"]}
 assert rows["inside"]["digits"] > 11 and rows["on-edge"]["digits"] > 15 and rows["near-edge"]["digits"] < 9, rows
 END
+
+if [ "${3:-}" = long ]; then
+  c++ -O1 -isystem "$vtk" "$folder/adapters/vtk_polygons.cpp" -o vtk_polygons -lvtkFiltersGeneral-"$version" -lvtkCommonDataModel-"$version" \
+    -lvtkCommonCore-"$version" || fail "the adapter of VTK's polygons does not compile"
+  finds_in ./vtk_polygons 'absolute_threshold ' --kind spherical_mean_value
+  c++ -O2 -DNDEBUG "$folder/adapters/cgal_side.cpp" -o cgal_side -lgmp || fail "the adapter of CGAL's sides does not compile"
+  finds_in ./cgal_side '' --kind inside
+  c++ -O2 -DNDEBUG -DDOUBLES "$folder/adapters/cgal_side.cpp" -o cgal_side_doubles -lgmp || fail "the adapter of CGAL's sides in doubles does not compile"
+  finds_in ./cgal_side_doubles 'wrong side ' --kind inside
+fi
+
+# Sides: who counts windings is wrong on cages only, in space and in the plane.
+for dimension in 3 2; do
+  finds_in "$folder/tests/programs/sides.py" 'wrong side ' --kind inside --dimension $dimension --out sides
+  grep -q '^sides of cages$' stdout || fail "no table of sides: $(cat stdout)"
+  /usr/bin/python3 - <<'END' || fail "certificate.json of sides in $dimension dimensions"
+import json
+(found,) = json.load(open("sides/certificate.json"))["formulas"]
+wrong = {row["regime"]: row["wrong"] for row in found["rows"]}
+assert found["kind"] == "inside" and all(wrong[regime] > 0 for regime in wrong if regime.startswith("on-")), wrong
+assert not any(wrong[regime] for regime in ("generic", "far", "units", "offset")), wrong
+END
+done
+refuses_to judge '--promise is of numbers' -- mine=./ju_mean_value.so --kind inside --promise 1e-3
+refuses_to judge "unknown regime 'inside'" -- mine=./ju_mean_value.so --kind inside --regimes inside
+refuses_to judge 'has no function for' -- mine=./ju_mean_value.so --kind spherical_mean_value
 
 # The template is clean, and its certificate has the kind.
 "$cageproof" judge --template python-cage >/dev/null && "$cageproof" judge mine=./mine_cage.py --kind mean_value --samples 10 --out certificate >stdout 2>stderr ||

@@ -51,7 +51,7 @@ diff <(sort counts) <(grep -v '^worst' stdout | sort) || fail "C counts otherwis
 node "$checkers/check.js" $vectors >stdout || fail "JavaScript: $(cat stdout)"
 diff <(sort counts) <(grep -v '^worst' stdout | sort) || fail "JavaScript counts otherwise"
 sed 's/if (determinant == 0)/if (fabs(determinant) < 1e-6)/' "$checkers/check.c" >wrong.c
-cc -std=c99 -O1 wrong.c -lm -o wrong && ./wrong one/triangle.solid_angle.txt >stdout
+cc -std=c99 -O1 -I "$checkers" wrong.c -lm -o wrong && ./wrong one/triangle.solid_angle.txt >stdout
 [ $? -eq 1 ] || fail "C: a threshold on volumes passes: $(cat stdout)"
 sed 's/if (volume === 0n) return/if (volume < 10n ** 30n) return/' "$checkers/check.js" >wrong.js
 node wrong.js $vectors >stdout
@@ -122,6 +122,63 @@ for vector, answer in zip(some, answers):
     truth, integral = Fraction(vector["value"][0]), Fraction(answer["value"][0])
     assert abs(truth - integral) <= Fraction(1, 10**28) * max(abs(truth), Fraction(1, 10**30)), (vector, answer)
 END
+
+# Whole cages: sound mean value coordinates pass, the same numbers are counted in all three languages, and wrong forms fail what aims at them.
+"$cageproof" vectors --kinds mean_value --cages small-tetrahedron,l-shape --out cages >stdout || fail "vectors of cages: $(cat stdout)"
+cp "$checkers/check.py" .
+cc -std=c99 -O1 -Wall -Wextra -Werror "$checkers/check_cage.c" -lm -o check_cage || fail "check_cage.c"
+for cage in small-tetrahedron l-shape; do
+  vectors=cages/mean_value.$cage
+  check "$checkers/check_cage.py" "$vectors.json" || fail "$cage: sound coordinates: $(cat stdout stderr)"
+  grep -v '^worst' stdout | sort >counts
+  grep -q '^all: \([0-9]*\) of \1 within 64 units$' counts || fail "$cage: all vectors pass: $(cat counts)"
+  ./check_cage "$vectors.txt" >stdout || fail "$cage, C: $(cat stdout)"
+  diff counts <(grep -v '^worst' stdout | sort) || fail "$cage: C counts otherwise"
+  node "$checkers/check_cage.js" "$vectors.json" >stdout || fail "$cage, JavaScript: $(cat stdout)"
+  diff counts <(grep -v '^worst' stdout | sort) || fail "$cage: JavaScript counts otherwise"
+done
+# wrong_cage NAME OLD NEW FLAG CAGE: as `wrong`, of the checker of cages.
+wrong_cage() {
+  /usr/bin/python3 - "$checkers/check_cage.py" "$2" "$3" >wrong.py <<'END'
+import sys
+text = open(sys.argv[1]).read()
+assert sys.argv[2] in text
+print(text.replace(sys.argv[2], sys.argv[3], 1))
+END
+  check wrong.py "cages/mean_value.$5.json"
+  [ $? -eq 1 ] || fail "$1 passes: $(cat stdout stderr)"
+  grep "^$4: " stdout | awk '{exit !($2 < $4)}' || fail "$1 passes what aims at it: $(cat stdout)"
+}
+wrong_cage 'a threshold on volumes' 'if det == 0:' 'if abs(det) < 1e-10:' size-threshold small-tetrahedron
+wrong_cage 'no case on the cage' 'if on:' 'if False:' no-case-on-cage small-tetrahedron
+wrong_cage 'no case on the polygon' 'if on:' 'if False:' no-case-on-cage l-shape
+sed 's/det == 0/fabs(det) < 1e-10/' "$checkers/check_cage.c" >wrong.c
+cc -std=c99 -O1 -I "$checkers" wrong.c -lm -o wrong && ./wrong cages/mean_value.small-tetrahedron.txt >stdout
+[ $? -eq 1 ] || fail "C: a threshold on volumes of a cage passes: $(cat stdout)"
+# Sums of truths are one, and so are their moments the point, inside and outside.
+/usr/bin/python3 - <<'END' || fail "truths of cages"
+import json
+from fractions import Fraction
+for cage in ("small-tetrahedron", "l-shape"):
+    data = json.load(open(f"cages/mean_value.{cage}.json"))
+    exact = [[Fraction(float.fromhex(x)) for x in v] for v in data["vertices"]]
+    size = max(abs(x) for v in exact for x in v)
+    regimes = {v["regime"] for v in data["vectors"]}
+    assert "inside" in regimes and any(r.startswith("on-") for r in regimes) and any(r.startswith("near-") for r in regimes), regimes
+    for v in data["vectors"]:
+        truth = [Fraction(t) for t in v["value"]]
+        assert abs(sum(truth) - 1) < Fraction(1, 10**38), v
+        for axis, x in enumerate(v["point"]):
+            moment = sum(t * corner[axis] for t, corner in zip(truth, exact))
+            assert abs(moment - Fraction(float.fromhex(x))) < size * Fraction(1, 10**37), v
+END
+for refused in "./check_cage nothing.txt" "./check_cage one/triangle.solid_angle.txt" "/usr/bin/python3 $checkers/check_cage.py one/triangle.solid_angle.json" \
+  "node $checkers/check_cage.js one/triangle.solid_angle.json"; do
+  $refused >stdout 2>stderr
+  [ $? -eq 2 ] && grep -q 'cannot read vectors' stderr || fail "$refused: $(cat stdout stderr)"
+done
+"$cageproof" vectors --kinds nothing --out three >stdout 2>stderr
+[ $? -eq 2 ] && [ ! -e three ] || fail "an unknown kind: $(cat stdout stderr)"
 
 "$cageproof" vectors --formulas 'triangle.nothing' --out three >stdout 2>stderr
 [ $? -eq 2 ] && [ ! -e three ] || fail "an unknown formula: $(cat stdout stderr)"

@@ -123,7 +123,7 @@ Mesh read_vtp(const std::filesystem::path& path) {
   const std::string file = read_mesh_file(path);
   const std::size_t size = file.size();
   if (size > static_cast<std::size_t>(std::numeric_limits<int>::max())) FileLine{path}.fail("the file is too large");
-  check_blocks(file, FileLine{path});
+  check_arrays(file, FileLine{path});
   return read_with<vtkXMLPolyDataReader>(path, [&](vtkXMLPolyDataReader& reader) {
     reader.SetFileName(path.c_str());
     reader.UpdateInformation();

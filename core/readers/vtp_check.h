@@ -5,9 +5,9 @@
 
 namespace cageproof::mesh_files {
 
-/// Checks that compressed arrays of a VTP file state no more blocks, and no more bytes in them, than the file can hold,
-/// and that offsets written as text end no cell beyond.
-/// \throws InputError when one does
-void check_blocks(std::string_view file, const FileLine& at);
+/// Checks that all arrays of a VTP file are there, that none states or unpacks to more than the file can hold, and that
+/// offsets end no cell beyond. Reads text, base64 and raw bytes, compressed or not.
+/// \throws InputError where not
+void check_arrays(std::string_view file, const FileLine& at);
 
 }  // namespace cageproof::mesh_files

@@ -8,6 +8,8 @@
 
 #include <bit>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 
 namespace cageproof::mesh_vtk_test {
 namespace {
@@ -313,6 +315,31 @@ TEST(vtp_reads, doubles_exactly) {
 TEST(vtp_rejects, offsets_beyond_what_the_file_holds) {
   expect_parts(error_of("mesh.vtp", replaced(vtp(), "3 6 9 12", "3 6 9 1000000000")),
                {"ends a cell at entry 1000000000", "bytes hold"});
+}
+
+// Arrays within elements or appended, as base64 or bytes, compressed or not.
+TEST(vtp_rejects, binary_arrays_that_are_cut_or_end_cells_beyond_the_file) {
+  const TemporaryFolder folder;
+  const auto content = [](const std::string& name) {
+    std::ifstream file(CAGEPROOF_FUZZ_CORPUS "/vtp/" + name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  for (const std::string place : {"inline", "appended_base64", "appended_bytes"})
+    for (const std::string packed : {"", "_packed"}) {
+      const std::string name = place + packed;
+      SCOPED_TRACE(name);
+      const std::string whole = content(name);
+      const Mesh mesh = read_mesh(folder.write("mesh.vtp", whole));
+      EXPECT_EQ(mesh.vertices, kVertices);
+      EXPECT_EQ(mesh.faces, kFaces);
+      expect_parts(error_of("mesh.vtp", content(name + "_offsets_beyond")),
+                   {"mesh.vtp: an array of offsets ends a cell at entry 2000000000", "bytes hold"});
+      expect_parts(error_of("mesh.vtp", content(name + "_cut")), {"mesh.vtp: an array states ", "cut off"});
+      // Without an end, too.
+      for (std::size_t cut = whole.find("<Points"); cut < whole.size() - std::string_view("</VTKFile>").size();
+           cut += 17)
+        error_of("mesh.vtp", whole.substr(0, cut));
+    }
 }
 
 TEST(vtp_rejects, everything_that_is_not_whole) {

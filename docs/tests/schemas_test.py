@@ -62,12 +62,15 @@ def main():
     check("worst", worst)
     run("vectors", "--formulas", "triangle.solid_angle,segment.kelvin_displacement", "--out", "vectors")
     check("vectors", [json.loads(path.read_text()) for path in sorted(Path("vectors").glob("*.json"))])
+    run("vectors", "--kinds", "mean_value", "--cages", "l-shape", "--out", "cages")
+    check("cage-vectors", [json.loads(path.read_text()) for path in sorted(Path("cages").glob("*.json"))])
     run("judge", "mine='" + str(PROGRAM) + "' eval --evaluation plain", "--formula", "segment.winding_angle", "--samples", "10", "--promise", "1e-10", "--out", "element", "--quiet", codes=(0, 1))
     run("judge", "--template", "python-cage")
     run("judge", "mine=./mine_cage.py", "--kind", "mean_value", "--samples", "5", "--out", "whole", "--quiet")
     run("judge", "mine=./mine_cage.py", "--kind", "mean_value", "--dimension", "2", "--samples", "5", "--out", "plane", "--quiet")
     run("judge", f"mine={JUDGE}/tests/programs/threshold.py", "--samples", "10", "--regimes", "generic", "--out", "defect", "--quiet", codes=(1,))
-    certificates = [json.loads(Path(folder, "certificate.json").read_text()) for folder in ("element", "whole", "plane", "defect")]
+    run("judge", f"mine={JUDGE}/tests/programs/sides.py", "--kind", "inside", "--samples", "5", "--regimes", "on-face", "--out", "sides", "--quiet", codes=(1,))
+    certificates = [json.loads(Path(folder, "certificate.json").read_text()) for folder in ("element", "whole", "plane", "defect", "sides")]
     assert any(one["findings"] for one in certificates) and any(one["promise"] for one in certificates)
     check("certificate", certificates)
     questions = [

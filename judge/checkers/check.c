@@ -1,73 +1,16 @@
 /* SPDX-License-Identifier: MIT
- * Checks one function against vectors of `cageproof vectors`: the values of FORMULA.txt. Plain C99; needs no library but C's.
+ * Checks one function against vectors of `cageproof vectors`: the values of FORMULA.txt. Plain C99; needs no library but C's, and check.h
+ * beside it.
  *
  *     cc -std=c99 -O1 check.c -lm -o check
  *     ./check vectors/triangle.solid_angle.txt [BOUND]
  *
  * Replace `function`, and FORMULA. Exit 0: all vectors within BOUND conditioned units (64); 1: not all; 2: the file cannot be read. */
-#include <errno.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
+#include "check.h"
 
 #define FORMULA "triangle.solid_angle" /* of your function */
 
-enum { most_numbers = 64, most_flags = 64, longest_line = 8192, most_terms = 256 };
-
-/* An exact sum of doubles: terms that do not overlap, the smallest first (Shewchuk 1997, grow-expansion). */
-struct sum {
-  double terms[most_terms];
-  int count;
-};
-
-static void add(struct sum* s, double x) {
-  for (int i = 0; i < s->count; ++i) {
-    const double y = s->terms[i], high = x + y, part = high - x;
-    s->terms[i] = (x - (high - part)) + (y - part);
-    x = high;
-  }
-  s->terms[s->count++] = x;
-}
-
-static void add_product(struct sum* s, double a, double b) {
-  const double high = a * b;
-  add(s, fma(a, b, -high));
-  add(s, high);
-}
-
-static double total(const struct sum* s) {
-  double x = 0;
-  for (int i = 0; i < s->count; ++i) x += s->terms[i];
-  return x;
-}
-
-/* An exact difference of two doubles: high + low. */
-struct difference {
-  double high, low;
-};
-
-static struct difference minus(double a, double b) {
-  const double high = a - b, part = high - a;
-  const struct difference d = {high, (a - (high - part)) + (-b - part)};
-  return d;
-}
-
-static void add_two(struct sum* s, struct difference a, struct difference b, double sign) {
-  add_product(s, sign * a.high, b.high);
-  add_product(s, sign * a.high, b.low);
-  add_product(s, sign * a.low, b.high);
-  add_product(s, sign * a.low, b.low);
-}
-
-static void add_three(struct sum* s, struct difference a, struct difference b, struct difference c, double sign) {
-  struct sum ab = {{0}, 0};
-  add_two(&ab, a, b, sign);
-  for (int i = 0; i < ab.count; ++i) {
-    add_product(s, ab.terms[i], c.high);
-    add_product(s, ab.terms[i], c.low);
-  }
-}
+enum { most_numbers = 64, longest_line = 8192 };
 
 static void cross(struct difference u[3], struct difference v[3], double* out) {
   for (int i = 0; i < 3; ++i) {
@@ -135,29 +78,6 @@ static void function(const double* inputs, double* value) {
   const double a = length(corner[0]), b = length(corner[1]), c = length(corner[2]);
   value[0] = 2 * atan2(determinant, a * b * c + dot(corner[0], corner[1]) * c + dot(corner[1], corner[2]) * a +
                                         dot(corner[2], corner[0]) * b);
-}
-
-struct tally {
-  char flag[64];
-  int passed, asked;
-};
-
-static void count(struct tally* tallies, const char* flag, int passes) {
-  int i = 0;
-  while (i < most_flags - 1 && tallies[i].asked > 0 && strcmp(tallies[i].flag, flag) != 0) ++i;
-  strncpy(tallies[i].flag, flag, sizeof tallies[i].flag - 1);
-  tallies[i].passed += passes;
-  ++tallies[i].asked;
-}
-
-/* Reads `count` finite numbers. \return the text behind them; null where one is missing */
-static char* read_numbers(char* text, int count, double* to) {
-  for (int i = 0; i < count && text; ++i) {
-    char* end = text;
-    to[i] = strtod(text, &end);
-    text = end == text || !isfinite(to[i]) ? NULL : end;
-  }
-  return text;
 }
 
 static int fail(const char* file, const char* why) {

@@ -178,4 +178,5 @@ function main() {
   return passed === asked ? 0 : 1
 }
 
-process.exitCode = main()
+module.exports = { decimal, exactDifferences, hexadecimal, ratio, units }
+if (require.main === module) process.exitCode = main()

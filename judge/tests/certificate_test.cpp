@@ -157,6 +157,8 @@ TEST(templates, exist_for_elements_and_cages) {
   EXPECT_EQ(template_files("c").size(), 2U);
   EXPECT_EQ(template_files("python")[0].first, "mine.py");
   EXPECT_EQ(template_files("python-cage")[0].first, "mine_cage.py");
+  EXPECT_NE(template_files("c", "triangle.kelvin_traction")[1].second.find("values + 27 * p"), std::string::npos);
+  EXPECT_THROW(template_files("c", "mean_value"), InputError);
 }
 
 }  // namespace

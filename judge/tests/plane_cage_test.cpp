@@ -116,7 +116,7 @@ TEST(plane_cage, unsigned_angles_are_wrong_in_an_arrowhead) {
     std::vector<double> weights(q.vertices.size(), 0.0);
     double sum = 0;
     for (const auto& face : q.faces) {
-      const auto from = static_cast<std::size_t>(face[0]), to = static_cast<std::size_t>(face[1]);
+      const auto from = static_cast<std::size_t>(face.vertices[0]), to = static_cast<std::size_t>(face.vertices[1]);
       const Vec3<double> a = q.vertices[from] - q.points[0], b = q.vertices[to] - q.points[0];
       if (a.norm() == 0 || b.norm() == 0) return suite(q, kKind);
       const double angle = std::acos(std::clamp(a.dot(b) / (a.norm() * b.norm()), -1., 1.));
@@ -151,7 +151,7 @@ TEST(plane_cage, other_conventions_are_said_and_are_no_defects) {
     std::vector<double> found;
     for (std::size_t s = 0; s < q.faces.size(); ++s) {
       const auto end = [&](int k) -> const Vec3<double>& {
-        return q.vertices[static_cast<std::size_t>(q.faces[s][k])];
+        return q.vertices[static_cast<std::size_t>(q.faces[s].vertices[k])];
       };
       found.push_back(ours[q.vertices.size() + s] * 2 * std::numbers::pi / (end(1) - end(0)).norm());
     }

@@ -27,7 +27,9 @@ using ZooCage = void (*)(const zoo_cage*);
 
 std::vector<double> asked(ZooCage function, const CageQuestion& q) {
   std::vector<double> coordinates(q.points.size() * q.vertices.size());
-  const zoo_cage cage{q.vertices.data()->data(), q.vertices.size(), q.faces.data()->data(), q.faces.size(),
+  std::vector<int> corners;
+  for (const Face& face : q.faces) corners.insert(corners.end(), face.vertices.begin(), face.vertices.begin() + 3);
+  const zoo_cage cage{q.vertices.data()->data(), q.vertices.size(), corners.data(),    q.faces.size(),
                       q.points.data()->data(),   q.points.size(),   coordinates.data()};
   function(&cage);
   return coordinates;
@@ -106,11 +108,7 @@ TEST(whole_cage, values_without_their_sum_are_right_after_normalising) {
 
 // Green coordinates by the suite: phi of the vertices, then psi of the faces.
 std::vector<double> green(const CageQuestion& q) {
-  std::vector<Face> faces;
-  faces.reserve(q.faces.size());
-  for (const auto& face : q.faces) faces.push_back({{face[0], face[1], face[2], -1}});
-  const CageCoordinates coordinates(Cage::make("test", q.vertices, faces), coordinate_kind_named("green"),
-                                    CoordinateOptions{"hybrid"});
+  const CageCoordinates coordinates(q.cage(), coordinate_kind_named("green"), CoordinateOptions{"hybrid"});
   std::vector<double> values;
   for (const auto& block : coordinates.at<double>(q.points[0], 0))
     values.insert(values.end(), block.value.begin(), block.value.end());
@@ -124,7 +122,7 @@ std::vector<double> other_green(const CageQuestion& q) {
   std::vector<double> theirs;
   for (std::size_t f = 0; f < q.faces.size(); ++f) {
     const auto corner = [&](int k) -> const Vec3<double>& {
-      return q.vertices[static_cast<std::size_t>(q.faces[f][k])];
+      return q.vertices[static_cast<std::size_t>(q.faces[f].vertices[k])];
     };
     const double area = (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
     theirs.push_back(ours[q.vertices.size() + f] * 4 * std::numbers::pi / area);

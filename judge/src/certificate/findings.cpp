@@ -45,6 +45,15 @@ void add_other_numbers(const SubjectCampaign& campaign, std::vector<CodeFinding>
                        campaign.subject, row.order, row.relative.input, static_cast<std::uint64_t>(row.samples), true});
 }
 
+void add_wrong_sides(const SubjectCampaign& campaign, std::vector<CodeFinding>& found) {
+  for (const CampaignRow& row : campaign.rows)
+    if (row.wrong > 0)
+      found.push_back(
+          {"wrong side",
+           fmt::format("{}: {} of {} points; the first is {}", row.regime, row.wrong, row.samples, row.first_wrong),
+           campaign.subject, 0, row.absolute.input, static_cast<std::uint64_t>(row.wrong), true});
+}
+
 // Half of double's digits, beyond what rounding the input costs.
 constexpr double half_the_digits = 0x1p26;
 
@@ -110,6 +119,10 @@ std::vector<CodeFinding> findings_of(const std::vector<SubjectCampaign>& campaig
     found.push_back(
         {incident.kind, incident.text, incident.formula, incident.order, incident.input, incident.count, true});
   for (const SubjectCampaign& campaign : campaigns) {
+    if (campaign.has_sides) {
+      add_wrong_sides(campaign, found);
+      continue;
+    }
     const std::size_t before = found.size();
     add_other_numbers(campaign, found);
     // Another formula is wrong everywhere, so that no regime is named.

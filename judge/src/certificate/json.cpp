@@ -21,7 +21,15 @@ Json json_of(const LargestError& error) {
   return {{"worst", number(error.error)}, {"median", number(error.median)}, {"input", input(error.input)}};
 }
 
-Json json_of(const CampaignRow& row) {
+Json json_of(const CampaignRow& row, bool has_sides) {
+  if (has_sides)
+    return {{"regime", row.regime},
+            {"samples", row.samples},
+            {"declined", row.declined},
+            {"failed", row.failed},
+            {"wrong", row.wrong},
+            {"first_wrong", row.first_wrong},
+            {"input", input(row.wrong > 0 ? row.absolute.input : "")}};
   return {{"regime", row.regime},
           {"order", row.order},
           {"samples", row.samples},
@@ -38,7 +46,7 @@ Json json_of(const CampaignRow& row) {
 
 Json json_of(const SubjectCampaign& campaign) {
   Json rows = Json::array(), times = Json::array();
-  for (const CampaignRow& row : campaign.rows) rows.push_back(json_of(row));
+  for (const CampaignRow& row : campaign.rows) rows.push_back(json_of(row, campaign.has_sides));
   for (const PairTime& time : campaign.times)
     times.push_back(
         {{"evaluation", time.evaluation}, {"order", time.order}, {"nanoseconds_per_pair", number(time.nanoseconds)}});

@@ -49,20 +49,44 @@ const std::vector<std::string>& headings() {
   return all;
 }
 
+// "1 declined" and the like.
+std::string rest_of(const CampaignRow& row) {
+  std::string rest;
+  if (row.without_truth > 0) rest += fmt::format(" {} without a limit", row.without_truth);
+  if (row.declined > 0) rest += fmt::format(" {} declined", row.declined);
+  if (row.failed > 0) rest += fmt::format(" {} FAILED", row.failed);
+  if (row.nonfinite > 0) rest += fmt::format(" {} not finite", row.nonfinite);
+  return rest;
+}
+
+std::string side_table(const SubjectCampaign& campaign, bool with_inputs) {
+  std::string text = fmt::format("sides of cages\n  {:<12}{:>7}{:>7}  {}\n", "regime", "samples", "wrong",
+                                 with_inputs ? "first wrong input" : "");
+  for (const CampaignRow& row : campaign.rows)
+    text += fmt::format("  {:<12}{:>7}{:>7} {}{}\n", row.regime, row.samples, row.wrong, rest_of(row),
+                        with_inputs && row.wrong > 0 ? " " + row.absolute.input : "");
+  return text;
+}
+
+std::string side_page(const SubjectCampaign& campaign) {
+  std::string text = "\n## sides of cages\n\n| regime | samples | wrong | first wrong input |\n|---|---|---|---|\n";
+  for (const CampaignRow& row : campaign.rows)
+    text += fmt::format("| {} | {} | {} | {} |\n", row.regime, row.samples, row.wrong,
+                        row.wrong > 0 ? "`" + row.absolute.input + "`" : "");
+  return text;
+}
+
 }  // namespace
 
 std::string table_of(const SubjectCampaign& campaign, bool with_inputs) {
+  if (campaign.has_sides) return side_table(campaign, with_inputs);
   std::string text = fmt::format("{}, up to the {}; time a pair: {}\n", campaign.subject, order_names[campaign.order],
                                  times_text(campaign));
   text += fmt::format("  {:<12}{:<9}{:>7}  {:>8}{:>9}{:>7}  {:>8}{:>9}  {}\n", "regime", "order", "samples", "relative",
                       "worst", "digits", "units", "worst", with_inputs ? "worst input (conditioned)" : "");
   for (const CampaignRow& row : campaign.rows) {
     const auto c = cells(row);
-    std::string rest;
-    if (row.without_truth > 0) rest += fmt::format(" {} without a limit", row.without_truth);
-    if (row.declined > 0) rest += fmt::format(" {} declined", row.declined);
-    if (row.failed > 0) rest += fmt::format(" {} FAILED", row.failed);
-    if (row.nonfinite > 0) rest += fmt::format(" {} not finite", row.nonfinite);
+    std::string rest = rest_of(row);
     if (with_inputs && !row.conditioned.input.empty()) rest += " " + row.conditioned.input;
     text += fmt::format("  {:<12}{:<9}{:>7}  {:>8}{:>9}{:>7}  {:>8}{:>9} {}\n", c[0], c[1], c[2], c[3], c[4], c[5],
                         c[6], c[7], rest);
@@ -93,6 +117,10 @@ std::string markdown_of(const Certificate& c) {
     for (const std::string& broken : c.promise->broken) text += fmt::format("* {}\n", broken);
   }
   for (const SubjectCampaign& campaign : c.formulas) {
+    if (campaign.has_sides) {
+      text += side_page(campaign);
+      continue;
+    }
     text += fmt::format("\n## {}\n\nTime for a pair of an element and a point: {}.\n\n", campaign.subject,
                         times_text(campaign));
     std::string rule;

@@ -76,9 +76,11 @@ void add_cage(std::string& text, std::string_view kind, const Asked& asked, std:
   const auto dimension = static_cast<std::size_t>(asked.dimension);
   add_points(text, asked.corners, 0, asked.corners.size() / dimension, asked.dimension, add);
   text += ",\"faces\":[";
-  for (std::size_t f = 0; f + dimension <= asked.faces.size(); f += dimension)
-    fmt::format_to(std::back_inserter(text), "{}[{}]", f > 0 ? "," : "",
-                   fmt::join(std::span(asked.faces).subspan(f, dimension), ","));
+  const auto corners = static_cast<std::size_t>(asked.face_corners);
+  for (std::size_t f = 0; f + corners <= asked.faces.size(); f += corners)
+    fmt::format_to(
+        std::back_inserter(text), "{}[{}]", f > 0 ? "," : "",
+        fmt::join(std::span(asked.faces).subspan(f, asked.faces[f + corners - 1] < 0 ? corners - 1 : corners), ","));
   text += "],\"points\":";
   add_points(text, asked.points, begin, end, asked.dimension, add);
   text += '}';

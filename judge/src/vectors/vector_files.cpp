@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/numbers/scalar_text.h"
 #include "cageproof/judge/vectors.h"
+#include "vectors/texts.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <limits>
@@ -11,18 +10,6 @@ namespace cageproof::judge {
 namespace {
 
 constexpr std::array<std::string_view, 3> tensor_keys{"value", "gradient", "hessian"};
-
-std::string point_json(const Vec3<double>& p, int dim) {
-  std::string text = "[";
-  for (int k = 0; k < dim; ++k) text += fmt::format("{}\"{}\"", k ? "," : "", format_hex(p[k]));
-  return text + "]";
-}
-
-std::string decimals(const std::vector<Mp100>& numbers, int digits) {
-  std::string text = "[";
-  for (const Mp100& x : numbers) text += fmt::format("{}\"{}\"", text.size() > 1 ? "," : "", format_digits(x, digits));
-  return text + "]";
-}
 
 std::string vector_json(const TestVector& v, const Formula& formula) {
   std::string text = "{\"element\":[";
@@ -40,21 +27,6 @@ std::string vector_json(const TestVector& v, const Formula& formula) {
   return text + "}";
 }
 
-std::string quoted(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + '"';
-}
-
-// x as a sum of two doubles, which keeps 31 digits.
-std::array<double, 2> split(const Mp100& x) {
-  const double high = static_cast<double>(x);
-  return {high, static_cast<double>(x - Mp100(high))};
-}
-
 void add_inputs(const TestVector& v, const Formula& formula, std::vector<double>& to) {
   for (const auto& corner : v.sample.corners) to.insert(to.end(), corner.data(), corner.data() + formula.dim());
   to.insert(to.end(), v.sample.point.data(), v.sample.point.data() + formula.dim());
@@ -68,16 +40,16 @@ std::string vectors_json(const VectorSet& set, const VectorOptions& options, std
   const Formula& formula = *set.formula;
   std::vector<std::string> names;
   names.reserve(formula.parameters.size());
-  for (const auto& parameter : formula.parameters) names.push_back(quoted(parameter.name));
+  for (const auto& parameter : formula.parameters) names.push_back(json_text(parameter.name));
   std::string text = fmt::format(
       "{{\"format\":\"cageproof vectors 1\",\"version\":{},\"command\":{},\"formula\":\"{}\",\"definition\":{},"
       "\"parameters\":[{}],\"seed\":{},\"unit\":\"{}\",\"bound\":{},\"candidates\":{},\"without_defect\":{},\n"
       "\"defects\":{{",
-      quoted(version), quoted(command), formula.name, quoted(formula.definition), fmt::join(names, ","), options.seed,
-      format_hex(unit_roundoff<double>()), vector_bound, set.candidates, set.without_defect);
+      json_text(version), json_text(command), formula.name, json_text(formula.definition), fmt::join(names, ","),
+      options.seed, format_hex(unit_roundoff<double>()), vector_bound, set.candidates, set.without_defect);
   const char* comma = "";
   for (const KnownDefect& defect : known_defects()) {
-    text += fmt::format("{}\"{}\":{}", comma, defect.name, quoted(defect.description));
+    text += fmt::format("{}\"{}\":{}", comma, defect.name, json_text(defect.description));
     comma = ",";
   }
   text += "},\n\"vectors\":[";

@@ -40,7 +40,7 @@ Layout layout_of(const CageQuestion& question, std::string_view kind) {
   }
   for (const auto& face : question.faces) {
     const auto corner = [&](int k) -> const Vec3<double>& {
-      return question.vertices[static_cast<std::size_t>(face[k])];
+      return question.vertices[static_cast<std::size_t>(face.vertices[k])];
     };
     layout.areas.push_back(question.dimension == 2 ? (corner(1) - corner(0)).norm()
                                                    : (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2);
@@ -130,6 +130,7 @@ std::string block_text(const CageConvention::Block& block, std::string_view labe
 // Which habit changes the signs of just these blocks; empty for none.
 std::string_view sign_hint(const std::vector<CageConvention::Block>& blocks, const CoordinateKind& kind,
                            int dimension) {
+  if (kind.normalised) return "";
   const ElementKind element = dimension == 2 ? ElementKind::Segment : ElementKind::Triangle;
   bool is_any = false, is_all = true, turns = true;
   for (const CageConvention::Block& block : blocks) {
@@ -138,7 +139,7 @@ std::string_view sign_hint(const std::vector<CageConvention::Block>& blocks, con
     is_all = is_all && is_negative;
     turns = turns && is_negative == (find_formula(element, kind.blocks[block.ours].kernel)->flip_sign < 0);
   }
-  if (!is_any || kind.normalised) return "";
+  if (!is_any) return "";
   if (is_all) return " (the other sign of the fundamental solution)";
   return turns ? " (normals that point inward)" : "";
 }
@@ -150,7 +151,8 @@ std::string sentence_of(const std::vector<CageConvention::Block>& blocks, std::s
   const char* word = " with ";
   bool is_ordered = true;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const std::string_view label = row.blocks[blocks[k].ours].label;
+    // Kinds that are not sums have one block.
+    const std::string_view label = row.is_sum() ? row.blocks[blocks[k].ours].label : "the coordinates";
     if (const std::string part = block_text(blocks[k], label, dimension, within); !part.empty()) {
       text += word + part;
       word = ", ";

@@ -14,60 +14,69 @@ namespace {
 
 constexpr int kAttempts = 100;
 
-CageQuestion question_of(std::string_view embedded, double unit, const Vec3<double>& offset) {
-  const CageElements elements(embedded_cage(embedded), false, Triangulation::Shortest);
+CageQuestion question_of(std::string_view embedded, const Placing& placing) {
+  const CageElements elements(embedded_cage(embedded), placing.keeps_quads, Triangulation::Shortest);
+  const Vec3<double> x(1, 0.25, 0.5), y(0.5, 1, 0.25), z(-0.25, 0.5, 1);
   CageQuestion question;
   question.dimension = elements.dimension();
-  for (const Vec3<double>& vertex : elements.vertices()) question.vertices.emplace_back((vertex + offset) * unit);
-  for (std::size_t e = 0; e < elements.count(); ++e) {
-    const auto face = elements.vertices_of(e);
-    question.faces.push_back({face[0], face[1], face.size() > 2 ? face[2] : -1});
+  for (const Vec3<double>& vertex : elements.vertices()) {
+    const Vec3<double> placed = placing.is_sheared ? Vec3<double>(x.dot(vertex), y.dot(vertex), z.dot(vertex)) : vertex;
+    question.vertices.emplace_back((placed + placing.offset) * placing.unit);
+    if (question.dimension == 2) question.vertices.back()[2] = 0;
   }
+  question.faces = elements.all();
   return question;
 }
 
-std::vector<CagePlaces> made_in_space(std::string_view regime) {
-  const Vec3<double> origin = Vec3<double>::Zero();
+using Names = std::initializer_list<std::string_view>;
+
+// The cages that a regime takes: on those along the axes doubles lie exactly, in other units and places one cage does.
+std::vector<CagePlaces> made(std::string_view regime, const Names& along_axes, std::string_view one, const Names& all,
+                             bool keeps_quads) {
   std::vector<CagePlaces> places;
-  // Only on faces along the axes do doubles lie exactly.
-  if (regime.starts_with("on-"))
-    for (const std::string_view name : {"cube", "l-block", "thin-box"}) places.emplace_back(name, 1, origin);
-  else if (regime == "units")
-    for (const double unit : {0x1p-30, 0x1p30, 0x1p-10, 0x1p10}) places.emplace_back("icosphere", unit, origin);
-  else if (regime == "offset")
-    for (const double far : {1e2, 1e4}) places.emplace_back("icosphere", 1, Vec3<double>(far, -far, far));
-  else
-    for (const std::string_view name : {"cube", "icosphere", "l-block", "thin-box", "spiky-box"})
-      places.emplace_back(name, 1, origin);
+  const Placing origin{.keeps_quads = keeps_quads};
+  if (regime == "units") {
+    for (const double unit : {0x1p-30, 0x1p30, 0x1p-10, 0x1p10})
+      places.emplace_back(one, Placing{.unit = unit, .keeps_quads = keeps_quads});
+  } else if (regime == "offset") {
+    for (const double far : {1e2, 1e4})
+      places.emplace_back(one, Placing{.offset = Vec3<double>(far, -far, far), .keeps_quads = keeps_quads});
+  } else {
+    for (const std::string_view name : regime.starts_with("on-") ? along_axes : all) places.emplace_back(name, origin);
+  }
   return places;
 }
 
+std::vector<CagePlaces> made_in_space(std::string_view regime, bool keeps_quads) {
+  return made(regime, {"cube", "l-block", "thin-box"}, keeps_quads ? "spiky-box" : "icosphere",
+              {"cube", "icosphere", "l-block", "thin-box", "spiky-box"}, keeps_quads);
+}
+
 std::vector<CagePlaces> made_in_plane(std::string_view regime) {
-  const Vec3<double> origin = Vec3<double>::Zero();
-  std::vector<CagePlaces> places;
-  if (regime.starts_with("on-"))
-    for (const std::string_view name : {"square", "l-shape", "comb", "frame"}) places.emplace_back(name, 1, origin);
-  else if (regime == "units")
-    for (const double unit : {0x1p-30, 0x1p30, 0x1p-10, 0x1p10}) places.emplace_back("star", unit, origin);
-  else if (regime == "offset")
-    for (const double far : {1e2, 1e4}) places.emplace_back("star", 1, Vec3<double>(far, -far, 0));
-  else
-    for (const std::string_view name : {"square", "l-shape", "star", "comb", "thin-bar", "frame", "figure"})
-      places.emplace_back(name, 1, origin);
-  return places;
+  return made(regime, {"square", "l-shape", "comb", "frame"}, "star",
+              {"square", "l-shape", "star", "comb", "thin-bar", "frame", "figure"}, false);
 }
 
 }  // namespace
 
-CagePlaces::CagePlaces(std::string_view embedded, double unit, const Vec3<double>& offset)
-    : question_(question_of(embedded, unit, offset)),
-      winding_(std::make_shared<WindingNumbers>(CageElements(question_.cage(), false, Triangulation::Shortest))),
+CagePlaces::CagePlaces(std::string_view embedded, const Placing& placing)
+    : CagePlaces(question_of(embedded, placing), placing.keeps_quads) {}
+
+CagePlaces::CagePlaces(CageQuestion cage, bool keeps_quads)
+    : question_(std::move(cage)),
+      winding_(std::make_shared<WindingNumbers>(CageElements(question_.cage(), keeps_quads, Triangulation::Shortest))),
       low_(question_.vertices[0]),
       high_(low_) {
   for (const Vec3<double>& vertex : question_.vertices) {
     low_ = low_.cwiseMin(vertex);
     high_ = high_.cwiseMax(vertex);
   }
+}
+
+int CagePlaces::side_of(const Vec3<double>& point) const {
+  const std::optional<int> winding = winding_->around(point);
+  if (!winding) return 0;
+  return *winding != 0 ? 1 : -1;
 }
 
 Vec3<double> CagePlaces::anywhere(RandomStream& random) const {
@@ -78,7 +87,8 @@ Vec3<double> CagePlaces::anywhere(RandomStream& random) const {
 
 // Corners' weights are sixteenths, which axis-parallel faces take without rounding.
 Vec3<double> CagePlaces::on_cage(std::string_view regime, RandomStream& random) const {
-  const auto& face = question_.faces[static_cast<std::size_t>(random.below(static_cast<int>(question_.faces.size())))];
+  const auto& face =
+      question_.faces[static_cast<std::size_t>(random.below(static_cast<int>(question_.faces.size())))].vertices;
   int a = 1 + random.below(14), b = 1 + random.below(15 - a);
   if (regime.ends_with("edge")) b = question_.dimension == 2 ? 0 : 16 - a;
   if (regime.ends_with("vertex")) a = 16, b = 0;
@@ -105,12 +115,23 @@ std::optional<Vec3<double>> CagePlaces::point(std::string_view regime, std::uint
   return std::nullopt;
 }
 
+Vec3<double> CagePlaces::point_on_any_side(std::string_view regime, std::uint64_t seed, std::uint64_t index) const {
+  RandomStream random(seed, "side " + std::string(regime), index);
+  if (regime.starts_with("on-")) return on_cage(regime, random);
+  const Vec3<double> middle = (low_ + high_) / 2, somewhere = anywhere(random);
+  if (regime == "far") return middle + std::pow(10, random.uniform(1, 8)) * (somewhere - middle);
+  // Beside the cage as often as in its box.
+  if (!regime.starts_with("near-")) return middle + 1.5 * (somewhere - middle);
+  const Vec3<double> from = on_cage(regime, random);
+  return from + std::pow(10, random.uniform(-16, -1)) * (somewhere - from);
+}
+
 std::vector<std::string_view> cage_regimes(int dimension) {
   if (dimension == 2) return {"inside", "near-edge", "near-vertex", "on-edge", "on-vertex", "units", "offset"};
   return {"inside", "near-face", "near-edge", "near-vertex", "on-face", "on-edge", "on-vertex", "units", "offset"};
 }
 
-const std::vector<CagePlaces>& places_of(std::string_view regime, int dimension) {
+const std::vector<CagePlaces>& places_of(std::string_view regime, int dimension, bool keeps_quads) {
   using All = std::map<std::string_view, std::vector<CagePlaces>>;
   const auto of = [](int space, auto made) {
     All places;
@@ -121,7 +142,11 @@ const std::vector<CagePlaces>& places_of(std::string_view regime, int dimension)
     static const All in_plane = of(2, made_in_plane);
     return in_plane.at(regime);
   }
-  static const All in_space = of(3, made_in_space);
+  if (keeps_quads) {
+    static const All of_quads = of(3, [](std::string_view one) { return made_in_space(one, true); });
+    return of_quads.at(regime);
+  }
+  static const All in_space = of(3, [](std::string_view one) { return made_in_space(one, false); });
   return in_space.at(regime);
 }
 

@@ -30,6 +30,7 @@ class JudgedCage {
       const FaceJump& jump = formula->face_jump;
       continuous_.push_back(kind.normalised || (jump.number == 0 && jump.pi_multiple == 0 && !jump.diverges));
     }
+    if (!kind.is_sum()) continuous_.assign(coordinates_.blocks().size(), kind.normalised);
     for (const Vec3<double>& vertex : question.vertices) reach_ = std::max(reach_, vertex.lpNorm<Eigen::Infinity>());
   }
 
@@ -84,13 +85,14 @@ class JudgedCage {
 // The time for a point and a triangle or segment, of the code and of the suite's own evaluations.
 std::vector<PairTime> cage_times(ForeignCode& code, std::string_view kind, const std::string& name, int dimension) {
   constexpr int repeats = 5, point_count = 200;
-  const CagePlaces places(dimension == 2 ? "figure" : "icosphere", 1, Vec3<double>::Zero());
+  const CoordinateKind& row = coordinate_kind_named(kind);
+  const std::string_view cage = dimension == 2 ? "figure" : row.keeps_quads ? "spiky-box" : "icosphere";
+  const CagePlaces places(cage, {.keeps_quads = row.keeps_quads});
   CageQuestion question = places.question();
   for (int i = 0; i < point_count; ++i)
     if (const auto point = places.point("inside", 1, static_cast<std::uint64_t>(i))) question.points.push_back(*point);
   const double pairs = static_cast<double>(question.points.size() * question.faces.size());
   Asked asked = asked_of(question);
-  const CoordinateKind& row = coordinate_kind_named(kind);
   asked.coordinates = JudgedCage(question, row).count();
   std::vector<PairTime> times;
   double least = std::numeric_limits<double>::infinity();
@@ -133,8 +135,10 @@ Asked asked_of(const CageQuestion& question) {
   asked.dimension = question.dimension;
   for (const Vec3<double>& vertex : question.vertices)
     asked.corners.insert(asked.corners.end(), vertex.data(), vertex.data() + question.dimension);
-  for (const auto& face : question.faces)
-    asked.faces.insert(asked.faces.end(), face.begin(), face.begin() + question.dimension);
+  asked.face_corners = question.dimension;
+  for (const Face& face : question.faces) asked.face_corners = std::max(asked.face_corners, face.size());
+  for (const Face& face : question.faces)
+    asked.faces.insert(asked.faces.end(), face.vertices.begin(), face.vertices.begin() + asked.face_corners);
   for (const Vec3<double>& point : question.points)
     asked.points.insert(asked.points.end(), point.data(), point.data() + question.dimension);
   return asked;
@@ -159,7 +163,7 @@ SubjectCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, cons
   for (const std::string_view regime : cage_regimes(dimension)) {
     if (!matches(options.regimes, regime)) continue;
     Asking asking{regime, {}, {}, {}, {}, {}};
-    const auto& places = places_of(regime, dimension);
+    const auto& places = places_of(regime, dimension, row.keeps_quads);
     for (int i = 0; i < options.samples; ++i) {
       const CagePlaces& place = places[static_cast<std::size_t>(i) % places.size()];
       const auto point = place.point(regime, options.seed, static_cast<std::uint64_t>(i));

@@ -4,6 +4,7 @@
 #include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/core/numbers/random_stream.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cageproof::judge {
@@ -11,25 +12,43 @@ namespace {
 
 struct Shape {
   std::vector<Vec3<double>> vertices;
-  std::vector<std::array<int, 3>> faces;
+  std::vector<Face> faces;
   int dimension = 3;
 };
 
+std::vector<Face> faces_of(const std::vector<std::vector<int>>& corners) {
+  std::vector<Face> faces(corners.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) std::ranges::copy(corners[f], faces[f].vertices.begin());
+  return faces;
+}
+
 const std::vector<Shape>& shapes_in_space() {
   static const std::vector<Shape> all{
-      {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}},
+      {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, faces_of({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})},
       {{{4, 0, 0}, {-4, 0, 0}, {0, 4, 0}, {0, -4, 0}, {0, 0, 4}, {0, 0, -4}},
-       {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}},
-      {{{0, 0, 0}, {12, 0, 0}, {0, 4, 0}, {1, 1, 4}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}};
+       faces_of({{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}})},
+      {{{0, 0, 0}, {12, 0, 0}, {0, 4, 0}, {1, 1, 4}}, faces_of({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})}};
+  return all;
+}
+
+// A block, a frustum and a wedge with two triangles. All quads are planar.
+const std::vector<Shape>& shapes_of_quads() {
+  const std::vector<std::vector<int>> box{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                          {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  static const std::vector<Shape> all{
+      {{{0, 0, 0}, {4, 0, 0}, {4, 8, 0}, {0, 8, 0}, {0, 0, 4}, {4, 0, 4}, {4, 8, 4}, {0, 8, 4}}, faces_of(box)},
+      {{{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}, {2, 2, 4}, {6, 2, 4}, {6, 6, 4}, {2, 6, 4}}, faces_of(box)},
+      {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 8}, {4, 0, 8}, {0, 4, 8}},
+       faces_of({{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}})}};
   return all;
 }
 
 // Two triangles, and an arrowhead, which its diagonal between vertices 0 and 2 halves.
 const std::vector<Shape>& shapes_in_plane() {
   static const std::vector<Shape> all{
-      {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, -1}, {1, 2, -1}, {2, 0, -1}}, 2},
-      {{{0, 0, 0}, {4, -4, 0}, {1, 0, 0}, {4, 4, 0}}, {{0, 1, -1}, {1, 2, -1}, {2, 3, -1}, {3, 0, -1}}, 2},
-      {{{0, 0, 0}, {12, 0, 0}, {1, 4, 0}}, {{0, 1, -1}, {1, 2, -1}, {2, 0, -1}}, 2}};
+      {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, faces_of({{0, 1}, {1, 2}, {2, 0}}), 2},
+      {{{0, 0, 0}, {4, -4, 0}, {1, 0, 0}, {4, 4, 0}}, faces_of({{0, 1}, {1, 2}, {2, 3}, {3, 0}}), 2},
+      {{{0, 0, 0}, {12, 0, 0}, {1, 4, 0}}, faces_of({{0, 1}, {1, 2}, {2, 0}}), 2}};
   return all;
 }
 
@@ -64,7 +83,7 @@ CageSample on_face(const Shape& shape, int face, const std::array<int, 3>& weigh
   Vec3<double> point = Vec3<double>::Zero();
   std::vector<double> truth(shape.vertices.size(), 0.0);
   for (std::size_t k = 0; k < static_cast<std::size_t>(shape.dimension); ++k) {
-    const auto v = static_cast<std::size_t>(shape.faces[static_cast<std::size_t>(face)][k]);
+    const auto v = static_cast<std::size_t>(shape.faces[static_cast<std::size_t>(face)].vertices[k]);
     point += weights[k] / 16.0 * shape.vertices[v];
     truth[v] = weights[k] / 16.0;
   }
@@ -79,14 +98,12 @@ void scale(CageQuestion& question, double unit) {
 }  // namespace
 
 Cage CageQuestion::cage() const {
-  std::vector<Face> elements;
-  elements.reserve(faces.size());
-  for (const auto& face : faces) elements.push_back({{face[0], face[1], face[2], -1}});
-  return dimension == 2 ? Cage::make_polygon("judged", vertices, elements) : Cage::make("judged", vertices, elements);
+  return dimension == 2 ? Cage::make_polygon("judged", vertices, faces) : Cage::make("judged", vertices, faces);
 }
 
 std::vector<double> truth_of(const CageQuestion& q, std::string_view kind, std::vector<std::size_t>* sizes) {
-  const CageCoordinates coordinates(q.cage(), coordinate_kind_named(kind), CoordinateOptions{"closed_form"});
+  const CoordinateKind& row = coordinate_kind_named(kind);
+  const CageCoordinates coordinates(q.cage(), row, CoordinateOptions{row.is_sum() ? "closed_form" : ""});
   std::vector<double> values;
   for (const auto& block : coordinates.at<double>(q.points[0], 0)) {
     values.insert(values.end(), block.value.begin(), block.value.end());
@@ -98,8 +115,9 @@ std::vector<double> truth_of(const CageQuestion& q, std::string_view kind, std::
 std::vector<CageSample> cage_samples(std::string_view kind, double unit, int dimension) {
   std::vector<CageSample> samples;
   std::uint64_t index = 0;
-  const bool interpolates = coordinate_kind_named(kind).normalised;
-  for (const Shape& shape : shapes(dimension)) {
+  const CoordinateKind& row = coordinate_kind_named(kind);
+  const bool interpolates = row.normalised;
+  for (const Shape& shape : row.keeps_quads ? shapes_of_quads() : shapes(dimension)) {
     for (int i = 0; i < 6; ++i) {
       CageSample sample{question_of(shape, inside(shape, index++)), {}};
       // Each block has its own power of the unit, in the plane with a logarithm of it.
@@ -107,9 +125,10 @@ std::vector<CageSample> cage_samples(std::string_view kind, double unit, int dim
       sample.truth = truth_of(sample.question, kind, &sample.sizes);
       samples.push_back(std::move(sample));
     }
-    // Coordinates that interpolate are the barycentric ones on a face, whatever the cage.
+    // Coordinates that interpolate are the barycentric ones on a triangle and on edges, whatever the cage.
     for (int face = 0; interpolates && face < static_cast<int>(shape.faces.size()); face += 2)
       for (const auto& weights : dimension == 2 ? kOnSegments : kOnFaces) {
+        if (weights[2] != 0 && shape.faces[static_cast<std::size_t>(face)].size() > 3) continue;
         samples.push_back(on_face(shape, face, weights));
         scale(samples.back().question, unit);
       }
@@ -127,7 +146,7 @@ std::array<CageQuestion, 2> alike_cages(int dimension) {
 }
 
 std::array<double, 3> chord_weights(const CageSample& sample) {
-  const auto& face = sample.question.faces[static_cast<std::size_t>(sample.face)];
+  const auto& face = sample.question.faces[static_cast<std::size_t>(sample.face)].vertices;
   std::array<Vec3<double>, 3> unit;
   for (std::size_t k = 0; k < 3; ++k)
     unit[k] = (sample.question.vertices[static_cast<std::size_t>(face[k])] - sample.question.points[0]).normalized();

@@ -14,7 +14,7 @@ struct CageSample {
   std::vector<std::size_t> sizes = {};  ///< of the blocks; empty for one
 };
 
-/// \param unit what all coordinates are multiplied with, a power of two
+/// Cages of a kind that keeps quads have quads. \param unit what all coordinates are multiplied with, a power of two
 std::vector<CageSample> cage_samples(std::string_view kind, double unit, int dimension);
 
 /// Coordinates of the question's first point, by the closed form. \param sizes takes those of the blocks, unless null

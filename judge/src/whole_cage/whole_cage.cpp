@@ -110,10 +110,11 @@ bool has_right_sum(const CageCase& c) {
 
 bool has_chords(const CageCase& c) {
   if (c.sample.face < 0 || c.sample.question.dimension != 3) return false;
+  const Face& face = c.sample.question.faces[static_cast<std::size_t>(c.sample.face)];
+  if (face.size() != 3) return false;
   const auto weights = chord_weights(c.sample);
-  const auto& face = c.sample.question.faces[static_cast<std::size_t>(c.sample.face)];
   for (std::size_t k = 0; k < 3; ++k)
-    if (!(std::abs(c.theirs[static_cast<std::size_t>(face[k])] - weights[k]) < kWrong)) return false;
+    if (!(std::abs(c.theirs[static_cast<std::size_t>(face.vertices[k])] - weights[k]) < kWrong)) return false;
   return true;
 }
 
@@ -194,6 +195,8 @@ std::optional<CageFinding> find_state(const WholeCageFunction& theirs, std::stri
 void require_judged_kind(std::string_view kind, int dimension) {
   const CoordinateKind& row = coordinate_kind_named(kind);
   const std::string_view elements = dimension == 2 ? "segments" : "triangles";
+  // Computed directly, on quads as well as triangles; those of quads that are sums have integrals for truths.
+  if (row.normalised && row.keeps_quads && !row.is_sum() && dimension == row.own_dimension) return;
   if (!row.is_sum() || row.keeps_quads)
     throw InputError(fmt::format("{} is no sum over {}, so coordinates of whole cages are not judged", kind, elements));
   for (const SummedBlock& block : row.blocks)

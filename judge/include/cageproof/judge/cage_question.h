@@ -4,18 +4,16 @@
 
 #include "cageproof/core/cage/cage.h"
 
-#include <array>
 #include <functional>
 #include <vector>
 
 namespace cageproof::judge {
 
-/// A cage and points, as a caller has them: triangles in space, or segments in the plane.
+/// A cage and points, as a caller has them: triangles in space, for kinds that keep them also quads, or segments in the
+/// plane.
 struct CageQuestion {
   std::vector<Vec3<double>> vertices;  ///< in the plane with third coordinate zero
-  /// Vertices of triangles, counter-clockwise seen from outside; in the plane of segments, which have the cage on their
-  /// left, and then -1.
-  std::vector<std::array<int, 3>> faces;
+  std::vector<Face> faces;
   std::vector<Vec3<double>> points;
   int dimension = 3;  ///< 2 in the plane
 

@@ -47,6 +47,8 @@ struct CampaignRow {
   LargestError beside, on;   ///< conditioned, of points off the element, and exactly on it
   LargestError continuous;   ///< conditioned, of points on a cage and coordinates that do not jump across it
   std::string nonfinite_input;
+  int wrong = 0;            ///< of sides: wrong answers among the measured ones
+  std::string first_wrong;  ///< "on, and yours says outside", at absolute.input
 };
 
 /// Time for a pair of an element and a point, in blocks of 64 points each.
@@ -63,7 +65,8 @@ struct SubjectCampaign {
   int order = 0;  ///< highest that the code gives
   std::vector<CampaignRow> rows;
   std::vector<PairTime> times;
-  int dimension = 3;  ///< of a kind's cages
+  int dimension = 3;       ///< of a kind's cages
+  bool has_sides = false;  ///< answers are sides of a cage, right or wrong, and not numbers with errors
 };
 
 /// Asks all samples, in one process as far as it lives, and measures the answers. Rows are of the formula that

@@ -32,11 +32,11 @@ struct Limits {
 struct Asked {
   std::vector<double> corners, parameters, points;
   std::size_t count = 1;  ///< points
-  /// Cages only: the vertices of triangles, or in the plane of segments, `dimension` per face, counted from 0; and the
-  /// number of a point's coordinates.
+  /// Cages only: the vertices of faces, counted from 0, `face_corners` numbers each, of which the last is -1 for
+  /// triangles among quads; and the number of a point's coordinates.
   std::vector<int> faces = {};
   std::size_t coordinates = 0;
-  int dimension = 3;
+  int dimension = 3, face_corners = 3;  ///< segments in the plane have two corners
 };
 
 /// The formula, order and scalar that a block is asked for; or the kind of coordinates that a cage is asked for.

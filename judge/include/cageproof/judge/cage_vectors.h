@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Test vectors of whole cages: all coordinates of points, as the defining integrals give them.
+#pragma once
+
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/judge/cage_question.h"
+#include "cageproof/judge/vectors.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cageproof::judge {
+
+/// One point of a cage with its coordinates.
+struct CageVector {
+  Vec3<double> point;
+  std::string regime;                ///< "inside", "outside", "near-face" ...
+  std::vector<std::string> defects;  ///< known defects that fail here, by name
+  std::vector<Mp100> value;          ///< [coordinate], block by block; on the cage the limit from inside
+  /// By block: |truth| + size sum_k |d truth/d x_k|, over the coordinates x_k of the point, `size` the cage's diagonal.
+  std::vector<Mp100> denominators;
+};
+
+/// The vectors of one kind in one cage.
+struct CageVectorSet {
+  std::string cage;  ///< its name
+  const CoordinateKind* kind = nullptr;
+  CageQuestion question;  ///< the cage, without points
+  std::vector<CoordinateBlock> blocks;
+  std::vector<CageVector> vectors;
+  std::size_t candidates = 0, without_defect = 0;  ///< as of VectorSet
+};
+
+/// A wrong way to compute the coordinates of a cage.
+struct CageDefect {
+  std::string name, description;
+};
+/// All that vectors of cages aim at: those of elements, summed over a cage, and those that only cages have.
+std::vector<CageDefect> cage_defects();
+
+/// The cages: "tetrahedron", "small-tetrahedron", "cube", "l-block"; in the plane "l-shape", "star".
+std::vector<std::string_view> vector_cages();
+
+/// Makes the vectors of a kind in one cage. Truths are sums of closed forms in 100 digits. Points where sums of the
+/// defining integrals, in 50 digits, do not agree to 28 are left out, and those that no defect fails. \throws
+/// InputError as require_judged_kind, and for an unknown cage
+CageVectorSet make_cage_vectors(std::string_view kind, std::string_view cage, const VectorOptions& options);
+
+/// JSON, one vector per line. \param command what made it
+std::string cage_vectors_json(const CageVectorSet& set, const VectorOptions& options, std::string_view version,
+                              std::string_view command);
+/// Lines of words: KIND.CAGE, the numbers of vectors, of coordinates of a point, of vertices, faces, and coordinates of
+/// each block; all vertices; all faces; then per vector flags, the point, each truth as a sum of two doubles, and
+/// denominators.
+std::string cage_vectors_text(const CageVectorSet& set);
+
+}  // namespace cageproof::judge
