@@ -116,10 +116,13 @@ std::vector<std::pair<std::string, std::vector<double>>> variants_of(const Const
   const auto subspace = std::ranges::find(method.parameters, "subspace", &KindParameter::name);
   if (subspace == method.parameters.end()) return found;
   std::vector<double> presets;
+  presets.reserve(method.parameters.size());
   for (auto p = method.parameters.begin(); p != subspace; ++p) presets.push_back(p->preset);
-  for (std::size_t value = 0; value < subspace->names.size(); ++value) {
-    if (static_cast<double>(value) == subspace->preset) continue;
-    found.emplace_back(fmt::format("{}-{}", method.name, subspace->names[value]), presets).second.push_back(value);
+  found.reserve(subspace->names.size());
+  for (std::size_t k = 0; k < subspace->names.size(); ++k) {
+    const auto value = static_cast<double>(k);
+    if (value == subspace->preset) continue;
+    found.emplace_back(fmt::format("{}-{}", method.name, subspace->names[k]), presets).second.push_back(value);
   }
   return found;
 }
