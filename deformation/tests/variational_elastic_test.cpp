@@ -15,12 +15,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-VariationalOptions elastic(double nu, int steps) {
+VariationalOptions elastic_options(double nu, int steps) {
   return {
       .subspace = Subspace::Elastic, .nu = nu, .alpha = .05, .beta = .2, .gamma = .003, .steps = steps, .tolerance = 0};
 }
 
-Case tetrahedron() {
+Case slanted_tetrahedron() {
   return {"tetrahedron",
           Cage::make("tetrahedron", {{0, 0, 0}, {3, .2, 0}, {.4, 2.8, -.1}, {.3, .5, 3}},
                      {{{0, 2, 1, -1}}, {{0, 1, 3, -1}}, {{0, 3, 2, -1}}, {{1, 2, 3, -1}}}, {}),
@@ -43,9 +43,9 @@ Constraints space_constraints() {
 }
 
 // After steps 1, 2, 5 and 20; the image of the case's first point.
-void expect_reference(const Case& c, const Constraints& constraints, double nu, const std::array<double, 4>& energies,
-                      const Vec& image_of_first) {
-  const Variational<double> model(c.cage, constraints, elastic(nu, 20));
+void expect_elastic_reference(const Case& c, const Constraints& constraints, double nu,
+                              const std::array<double, 4>& energies, const Vec& image_of_first) {
+  const Variational<double> model(c.cage, constraints, elastic_options(nu, 20));
   const auto posed = model.pose();
   const std::vector<double>& found = posed->report().energies;
   ASSERT_EQ(found.size(), 40);
@@ -55,29 +55,30 @@ void expect_reference(const Case& c, const Constraints& constraints, double nu, 
 }
 
 TEST(variational_elastic, reference_in_the_plane) {
-  expect_reference(pentagon(), plane_constraints(), .3,
-                   {.198297180905259, .168582013704497, .162403372480876, .162359625045887},
-                   {1.02498469048798, .944534834022315, 0});
-  expect_reference(pentagon(), plane_constraints(), -.5,
-                   {.210079883831457, .188441500427102, .184439997790435, .184417275395528},
-                   {.980593303560572, .969642890689023, 0});
+  expect_elastic_reference(pentagon(), plane_constraints(), .3,
+                           {.198297180905259, .168582013704497, .162403372480876, .162359625045887},
+                           {1.02498469048798, .944534834022315, 0});
+  expect_elastic_reference(pentagon(), plane_constraints(), -.5,
+                           {.210079883831457, .188441500427102, .184439997790435, .184417275395528},
+                           {.980593303560572, .969642890689023, 0});
 }
 
 TEST(variational_elastic, reference_in_space) {
-  expect_reference(tetrahedron(), space_constraints(), .3,
-                   {.116366445357483, .0927980028347394, .0887506319740758, .0886203874171761},
-                   {.91080354682216, .924080760775457, .955230669665478});
-  expect_reference(tetrahedron(), space_constraints(), -.5,
-                   {.113994150597849, .0910159419030482, .0874316715769958, .0873116147980146},
-                   {.90922663781669, .909804830013491, .962125448864826});
+  expect_elastic_reference(slanted_tetrahedron(), space_constraints(), .3,
+                           {.116366445357483, .0927980028347394, .0887506319740758, .0886203874171761},
+                           {.91080354682216, .924080760775457, .955230669665478});
+  expect_elastic_reference(slanted_tetrahedron(), space_constraints(), -.5,
+                           {.113994150597849, .0910159419030482, .0874316715769958, .0873116147980146},
+                           {.90922663781669, .909804830013491, .962125448864826});
 }
 
 // (1 - 2 nu) laplacian(f) + grad div f = 0: no load within. For infinite nu f is harmonic.
 TEST(variational_elastic, maps_are_in_equilibrium) {
   for (const double nu : {-.9, 0., .3, .49, infinity})
-    for (const Case& c : {tetrahedron(), pentagon()}) {
+    for (const Case& c : {slanted_tetrahedron(), pentagon()}) {
       const int d = c.cage.dimension();
-      const Variational<double> model(c.cage, d == 3 ? space_constraints() : plane_constraints(), elastic(nu, 2));
+      const Variational<double> model(c.cage, d == 3 ? space_constraints() : plane_constraints(),
+                                      elastic_options(nu, 2));
       const auto images = model.images(*model.pose(), std::span(c.points).first(1), 2);
       const auto second = [&](int component, int a, int b) { return images.tensors[2][(component * d + a) * d + b]; };
       double largest = 0;
@@ -94,14 +95,14 @@ TEST(variational_elastic, maps_are_in_equilibrium) {
 
 // Constant strains have constant stresses.
 TEST(variational_elastic, affine_targets_are_met_for_all_nu) {
-  const Case c = tetrahedron();
+  const Case c = slanted_tetrahedron();
   Constraints constraints = space_constraints();
   constraints.rotations.clear();
   const Mat a = constraints.orientations[0].jacobian;
   const Vec shift(.3, -.2, 1);
   for (auto& [at, to] : constraints.positions) to = a * at + shift;
   for (const double nu : {-.99, 0., .499, infinity}) {
-    const Variational<double> model(c.cage, constraints, elastic(nu, 1));
+    const Variational<double> model(c.cage, constraints, elastic_options(nu, 1));
     const auto posed = model.pose();
     EXPECT_LT(posed->report().energies[1], 1e-22) << nu;
     for (std::size_t p = 0; p < c.points.size(); ++p)
@@ -111,9 +112,9 @@ TEST(variational_elastic, affine_targets_are_met_for_all_nu) {
 
 // Displacements that constraints leave free are none.
 TEST(variational_elastic, what_is_left_free_stays_at_rest) {
-  const Case c = tetrahedron();
+  const Case c = slanted_tetrahedron();
   const Constraints few{.positions = {{{.6, .6, .6}, {.6, .6, .6}}}, .rotations = {{.7, .8, 1.1}}};
-  const Variational<double> model(c.cage, few, elastic(.3, 3));
+  const Variational<double> model(c.cage, few, elastic_options(.3, 3));
   const auto posed = model.pose();
   EXPECT_TRUE(warns_of(posed->report(), "unknowns free"));
   for (std::size_t p = 0; p < c.points.size(); ++p)
@@ -121,12 +122,12 @@ TEST(variational_elastic, what_is_left_free_stays_at_rest) {
 }
 
 TEST(variational_elastic, nu_has_its_range) {
-  const Case c = tetrahedron();
+  const Case c = slanted_tetrahedron();
   for (const double nu : {-1., .5, 2., std::nan("")})
-    EXPECT_THROW(Variational<double>(c.cage, space_constraints(), elastic(nu, 1)), InputError) << nu;
-  EXPECT_TRUE(
-      warns_of(Variational<double>(c.cage, space_constraints(), elastic(.5 - 1e-7, 1)).prepared(), "next to its pole"));
-  EXPECT_FALSE(warns_of(Variational<double>(c.cage, space_constraints(), elastic(.49, 1)).prepared(), "pole"));
+    EXPECT_THROW(Variational<double>(c.cage, space_constraints(), elastic_options(nu, 1)), InputError) << nu;
+  EXPECT_TRUE(warns_of(Variational<double>(c.cage, space_constraints(), elastic_options(.5 - 1e-7, 1)).prepared(),
+                       "next to its pole"));
+  EXPECT_FALSE(warns_of(Variational<double>(c.cage, space_constraints(), elastic_options(.49, 1)).prepared(), "pole"));
 }
 
 }  // namespace
