@@ -9,6 +9,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 #include <functional>
 #include <mutex>
@@ -109,6 +110,23 @@ Constraints constraints_in(const DeformedCage& what, bool positions_alone) {
   return found;
 }
 
+// The method as it is, by its name, and with each other value of a parameter that chooses a subspace.
+std::vector<std::pair<std::string, std::vector<double>>> variants_of(const ConstraintMethod& method) {
+  std::vector<std::pair<std::string, std::vector<double>>> found{{std::string(method.name), {}}};
+  const auto subspace = std::ranges::find(method.parameters, "subspace", &KindParameter::name);
+  if (subspace == method.parameters.end()) return found;
+  std::vector<double> presets;
+  presets.reserve(method.parameters.size());
+  for (auto p = method.parameters.begin(); p != subspace; ++p) presets.push_back(p->preset);
+  found.reserve(subspace->names.size());
+  for (std::size_t k = 0; k < subspace->names.size(); ++k) {
+    const auto value = static_cast<double>(k);
+    if (value == subspace->preset) continue;
+    found.emplace_back(fmt::format("{}-{}", method.name, subspace->names[k]), presets).second.push_back(value);
+  }
+  return found;
+}
+
 }  // namespace
 
 DeformedCage embedded_deformed_cage(std::string_view name, int points) {
@@ -145,12 +163,15 @@ std::vector<std::string> register_deformer_benchmarks(const std::shared_ptr<cons
     const Constraints constraints = constraints_in(*what, method.positions_alone);
     if (constraints.positions.empty()) continue;
     using Model = ConstrainedDeformer<double>;
-    add_stages<Model>(
-        method.name,
-        std::make_shared<const Stages<Model>>(
-            what, [what, constraints, &method] { return prepare_constrained(method, what->cage, constraints, {}); },
-            [](const Model& model, const DeformedCage&) { return model.pose(); }),
-        names);
+    for (const auto& [name, parameters] : variants_of(method))
+      add_stages<Model>(name,
+                        std::make_shared<const Stages<Model>>(
+                            what,
+                            [what, constraints, &method, parameters] {
+                              return prepare_constrained(method, what->cage, constraints, {.parameters = parameters});
+                            },
+                            [](const Model& model, const DeformedCage&) { return model.pose(); }),
+                        names);
   }
   return names;
 }

@@ -26,10 +26,10 @@ DeformedCage embedded_deformed_cage(std::string_view name, int points);
 ///   `deform/<cage>/<method>/coordinates`  those of all points, by the recommended evaluations
 ///   `deform/<cage>/<method>/pose`         what is solved for one pose
 ///   `deform/<cage>/<method>/images`       all points under it, from their coordinates
-/// and the same for every method that takes constraints: a few of the points, those inside, are drawn to where the
-/// shear takes them; `pose` takes all its steps. What they start from is made once, when the first benchmark of a
-/// method that needs it runs. A second pose costs the last two. Counter `ns_per_point` of `coordinates` and `images`:
-/// processor time. \returns the names, in order of registration
+/// and the same for every method that takes constraints, and its other subspaces (`variational-elastic`): a few of the
+/// points, those inside, are drawn to where the shear takes them; `pose` takes all its steps. What they start from is
+/// made once, when the first benchmark of a method that needs it runs. A second pose costs the last two. Counter
+/// `ns_per_point` of `coordinates` and `images`: processor time. \returns the names, in order of registration
 std::vector<std::string> register_deformer_benchmarks(const std::shared_ptr<const DeformedCage>& what);
 
 }  // namespace cageproof::benchmarks

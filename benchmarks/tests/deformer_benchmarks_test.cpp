@@ -24,8 +24,9 @@ TEST(DeformerBenchmarks, every_method_that_takes_the_cage_has_its_stages) {
   }
   EXPECT_GT(methods, 10);
   for (const std::string_view stage : {"prepare", "coordinates", "pose", "images"})
-    EXPECT_EQ(std::ranges::count(names, fmt::format("deform/cube/variational/{}", stage)), 1);
-  EXPECT_EQ(names.size(), 4U * (methods + 1)) << "thickness is of the plane";
+    for (const std::string_view method : {"variational", "variational-harmonic", "variational-elastic"})
+      EXPECT_EQ(std::ranges::count(names, fmt::format("deform/cube/{}/{}", method, stage)), 1);
+  EXPECT_EQ(names.size(), 4U * (methods + 3)) << "thickness is of the plane";
 }
 
 TEST(DeformerBenchmarks, images_of_points_are_timed) {
@@ -38,7 +39,7 @@ TEST(DeformerBenchmarks, images_of_points_are_timed) {
     void ReportRuns(const std::vector<Run>& found) override { runs.insert(runs.end(), found.begin(), found.end()); }
     std::vector<Run> runs;
   } reporter;
-  for (const char* method : {"green", "variational", "thickness"}) {
+  for (const char* method : {"green", "variational-elastic", "thickness"}) {
     reporter.runs.clear();
     const std::string name = fmt::format("^deform/square/{}/images$", method);
     ASSERT_EQ(benchmark::RunSpecifiedBenchmarks(&reporter, name), 1U) << method;

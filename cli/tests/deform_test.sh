@@ -251,6 +251,8 @@ awk -F, 'NR > 2 && $2 > before * (1 + 1e-12) + 1e-28 {exit 1} {before = $2}' ene
 [ "$(grep -c . energies.csv)" -gt 2 ] || fail "no energies"
 "$cageproof" deform "${by_constraints[@]}" --out moved.obj --energies energies.png 2>/dev/null || fail "a picture of the energies"
 head -c 4 energies.png | grep -q PNG || fail "energies.png is no picture"
+refuses 'nu' '0.5' 'out of range' -- "${by_constraints[@]}" --parameter subspace=elastic --parameter nu=0.5 --out out.obj
+refuses --poisson-ratio '--parameter nu' -- "${by_constraints[@]}" --stress s.csv --poisson-ratio 0.3 --out out.obj
 refuses variational --constraints -- --cage cube --posed large.obj --points mesh.obj --method variational --out out.obj
 refuses green --posed -- --cage cube --constraints turned.json --points mesh.obj --method green --out out.obj
 refuses --energies -- "${common[@]}" --method green --energies out.csv --out out.obj

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Deformation as linear elasticity has it: the displacements of the posed cage, by matrices that solve for the
 // tractions ([C23] Sections 3 and 4.2).
+#include "matrix_posed.h"
 #include "plane/solved_systems.h"
 
 #include "cageproof/core/numbers/linear.h"
@@ -10,39 +11,6 @@
 namespace cageproof::deformation {
 namespace {
 
-template <Scalar R>
-class ElasticPosed final : public Posed<R> {
- public:
-  ElasticPosed(int dimension, std::vector<Vec3<R>> vertices) : dimension_(dimension), vertices_(std::move(vertices)) {}
-
-  const DeformationReport& report() const override { return report_; }
-
-  // x' = sum E_i v'_i: what displacements would give, because E keeps positions.
-  Images<R> images(std::span<const CoordinateTable<R>> coordinates, std::size_t points, int order) const override {
-    const CoordinateTable<R>& table = coordinates[0];
-    const auto rows = static_cast<std::size_t>(dimension_);
-    Images<R> images;
-    for (int o = 0; o <= order; ++o) {
-      const std::size_t width = derivative_count(dimension_, o);
-      images.tensors[o].assign(points * rows * width, R(0));
-      for (std::size_t p = 0; p < points; ++p) {
-        const R* from = &table.tensors[o][p * table.stride[o]];
-        for (const Vec3<R>& vertex : vertices_)
-          for (std::size_t row = 0; row < rows; ++row)
-            for (int column = 0; column < dimension_; ++column)
-              for (std::size_t d = 0; d < width; ++d)
-                images.tensors[o][(rows * p + row) * width + d] += *from++ * vertex[column];
-      }
-    }
-    return images;
-  }
-
- private:
-  int dimension_;
-  std::vector<Vec3<R>> vertices_;
-  DeformationReport report_;
-};
-
 // The map is linear.
 template <Scalar R>
 class ElasticDerivative final : public PoseDerivative<R> {
@@ -51,7 +19,7 @@ class ElasticDerivative final : public PoseDerivative<R> {
       : dimension_(dimension), vertices_(static_cast<Eigen::Index>(vertices)) {}
 
   std::unique_ptr<const Posed<R>> along(const std::vector<Vec3<R>>& change) const override {
-    return std::make_unique<ElasticPosed<R>>(dimension_, change);
+    return std::make_unique<MatrixPosed<R>>(std::vector<Matrix<R>>{rows_of(change, dimension_)});
   }
   std::vector<Matrix<R>> nothing() const override { return {Matrix<R>::Zero(vertices_, dimension_)}; }
   void gather(std::span<const CoordinateTable<R>> coordinates, std::size_t points, std::span<const R> weights,
@@ -88,7 +56,8 @@ class Elastic final : public Deformer<R> {
   DeformationReport prepared() const override { return report_on(coordinates_); }
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
     check_pose(coordinates_.elements(), pose);
-    return std::make_unique<ElasticPosed<R>>(coordinates_.dimension(), pose.vertices);
+    // x' = sum E_i v'_i: what displacements would give, because E keeps positions.
+    return std::make_unique<MatrixPosed<R>>(std::vector<Matrix<R>>{rows_of(pose.vertices, coordinates_.dimension())});
   }
   std::unique_ptr<const PoseDerivative<R>> derivative(const Pose<R>& pose) const override {
     check_pose(coordinates_.elements(), pose);

@@ -108,6 +108,15 @@ inline double energy_of(const Map& map, const std::vector<Term>& terms) {
   return sum;
 }
 
+/// How component `row` of a map, one of its derivatives, changes with component `column` of a coefficient.
+inline double entry(const CoordinateTable<double>& table, const CoordinateBlock& block, int order,
+                    Eigen::Index coefficient, int row, int column, Eigen::Index derivative) {
+  const auto width = static_cast<Eigen::Index>(table.stride[order]) / (block.size * block.entries());
+  const int d = block.shape.rows;
+  if (d == 1) return row == column ? table.tensors[order][coefficient * width + derivative] : 0;
+  return table.tensors[order][((coefficient * d + row) * d + column) * width + derivative];
+}
+
 /// The energy's gradient by the coefficients: one row per coefficient, block by block, one column per component.
 inline Eigen::MatrixXd gradient_of(const CageCoordinates& coordinates, const Map& map, const std::vector<Term>& terms) {
   const int d = coordinates.dimension();
@@ -122,8 +131,9 @@ inline Eigen::MatrixXd gradient_of(const CageCoordinates& coordinates, const Map
       for (Eigen::Index i = 0; i < of_blocks[b].rows(); ++i)
         for (Eigen::Index k = 0; k < error.cols(); ++k)
           for (int c = 0; c < d; ++c)
-            of_blocks[b](i, c) += 2 * term.weight * error(c, k) *
-                                  tables[b].tensors[term.order][static_cast<std::size_t>(i * error.cols() + k)];
+            for (int row = 0; row < d; ++row)
+              of_blocks[b](i, c) +=
+                  2 * term.weight * error(row, k) * entry(tables[b], coordinates.blocks()[b], term.order, i, row, c, k);
   }
   Eigen::Index rows = 0;
   for (const Eigen::MatrixXd& block : of_blocks) rows += block.rows();

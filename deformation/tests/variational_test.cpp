@@ -9,6 +9,8 @@
 namespace cageproof::deformation::test {
 namespace {
 
+constexpr std::array all_subspaces{Subspace::Harmonic, Subspace::Biharmonic, Subspace::Elastic};
+
 void expect_reference(Subspace subspace, const std::array<double, 4>& energies, const Vec& image_of_first) {
   const Case c = bar();
   const Variational<double> model(c.cage, bar_constraints(c.cage), bar_options(subspace, 20));
@@ -64,7 +66,7 @@ Constraints mirrored(Constraints constraints) {
 
 TEST(variational, energies_are_those_of_the_maps) {
   for (const Nearest nearest : {Nearest::Rotation, Nearest::Similarity})
-    for (const Subspace subspace : {Subspace::Harmonic, Subspace::Biharmonic}) {
+    for (const Subspace subspace : all_subspaces) {
       const VariationalOptions options{
           .subspace = subspace, .nearest = nearest, .alpha = .05, .beta = .2, .gamma = .003};
       expect_energies(bar().cage, with_orientations(bar().cage), options);
@@ -89,7 +91,7 @@ void expect_flat(const Cage& cage, const Constraints& constraints, const Variati
 }
 
 TEST(variational, gradient_vanishes_after_a_global_step) {
-  for (const Subspace subspace : {Subspace::Harmonic, Subspace::Biharmonic}) {
+  for (const Subspace subspace : all_subspaces) {
     const VariationalOptions options{.subspace = subspace, .alpha = .05, .beta = .2, .gamma = .003};
     expect_flat(bar().cage, with_orientations(bar().cage), options);
     expect_flat(pentagon().cage, plane_constraints(), options);
@@ -100,7 +102,7 @@ TEST(variational, energy_never_rises) {
   const Case c = bar();
   for (const Nearest nearest : {Nearest::Rotation, Nearest::Similarity})
     for (const double beta : {.01, 1.})
-      for (const Subspace subspace : {Subspace::Harmonic, Subspace::Biharmonic}) {
+      for (const Subspace subspace : all_subspaces) {
         const VariationalOptions options{
             .subspace = subspace, .nearest = nearest, .beta = beta, .steps = 40, .tolerance = 0};
         const auto found = Variational<double>(c.cage, with_orientations(c.cage), options).pose()->report().energies;
@@ -113,7 +115,7 @@ TEST(variational, rigid_targets_are_met) {
   const Case c = bar();
   const Mat turn = Eigen::AngleAxisd(1.1, Vec(1, 2, -.5).normalized()).toRotationMatrix();
   const Vec shift(.3, -.2, 1);
-  for (const Subspace subspace : {Subspace::Harmonic, Subspace::Biharmonic}) {
+  for (const Subspace subspace : all_subspaces) {
     Constraints constraints = bar_constraints(c.cage);
     for (auto& [at, to] : constraints.positions) to = turn * at + shift;
     constraints.orientations = {{{.1, .2, .3}, turn}};
@@ -137,7 +139,7 @@ TEST(variational, affine_targets_are_met_at_once_without_rotations) {
   const Vec shift(.3, -.2, 1);
   constraints.orientations[1].jacobian = a;
   for (auto& [at, to] : constraints.positions) to = a * at + shift;
-  for (const Subspace subspace : {Subspace::Harmonic, Subspace::Biharmonic}) {
+  for (const Subspace subspace : all_subspaces) {
     const Variational<double> model(c.cage, constraints, {.subspace = subspace});
     const auto posed = model.pose();
     EXPECT_EQ(posed->report().energies.size(), 2);
@@ -186,7 +188,7 @@ TEST(variational, unit_of_length) {
   const Case c = bar();
   const Constraints constraints = with_orientations(c.cage);
   for (const double s : {10., 1e-3})
-    for (const Subspace subspace : {Subspace::Harmonic, Subspace::Biharmonic}) {
+    for (const Subspace subspace : all_subspaces) {
       const VariationalOptions options = bar_options(subspace, 5);
       const Vec expected = image_in_unit(1, constraints, options);
       EXPECT_GT((image_in_unit(s, constraints, options) - expected).norm(), 1e-3) << "the weights have units";
@@ -198,10 +200,12 @@ TEST(variational, unit_of_length) {
 TEST(variational, unit_of_length_of_few_constraints) {
   Constraints few = bar_constraints(bar().cage);
   few.hessians.resize(2);
-  const VariationalOptions options = bar_options(Subspace::Biharmonic, 5);
-  const Vec expected = image_in_unit(1, few, options);
-  for (const double s : {10., 1e-3, 1e4})
-    EXPECT_LT((image_in_unit(s, few, in_unit(s, options)) - expected).norm(), 1e-10) << s;
+  for (const Subspace subspace : {Subspace::Biharmonic, Subspace::Elastic}) {
+    const VariationalOptions options = bar_options(subspace, 5);
+    const Vec expected = image_in_unit(1, few, options);
+    for (const double s : {10., 1e-3, 1e4})
+      EXPECT_LT((image_in_unit(s, few, in_unit(s, options)) - expected).norm(), 1e-10) << s;
+  }
 }
 
 // Rows so heavy that double drops the others: the map before is kept, and it is said.

@@ -175,7 +175,30 @@ def phong() -> str:
     return figures(found)
 
 
-MEASURES = {"densities": densities, "follow": follow, "gamma_d": gamma_d, "affine": affine, "similar": similar, "infinite_nu": infinite_nu, "phong": phong, "unity": unity}
+def elastic_held() -> str:
+    """Elastic maps of least energy without a posed cage: how far they are from affine targets of points, and, of the map that draws points at random, the
+    load that would hold it, (1 - 2 nu) laplacian + grad div of the displacement, relative to second derivatives."""
+    at = np.array(list(itertools.product((-0.7, 0, 0.7), (-0.3, 0, 0.3), (-0.3, 0, 0.3))))
+    matrix, shift = np.array([[1.3, 0.05, -0.2], [0.2, 0.8, 0.1], [-0.1, 0.3, 1.1]]), np.array([0.3, -0.2, 0.1])
+    points, found = at[1:-1] + 0.05, {"affine": 0.0, "load": 0.0}
+    np.save("at.npy", points)
+    for nu, drawn in itertools.product((0, 0.3, 0.45), (False, True)):
+        to = at + 0.1 * np.random.default_rng(0).uniform(-1, 1, at.shape) if drawn else at @ matrix.T + shift
+        positions = [{"at": a, "to": b} for a, b in zip(at.tolist(), to.tolist())]
+        Path("held.json").write_text(json.dumps({"schema": "cageproof-constraints", "schema_version": 1, "positions": positions, "hessians": at.tolist()}))
+        cageproof("deform", "--cage", CAGE, "--constraints", "held.json", "--points", "at.npy", "--method", "variational", "--parameter", "subspace=elastic",
+                  "--parameter", f"nu={nu}", "--order", "2", "--out", "image.npy", "--quiet")
+        image = np.load("image.npy")
+        second = image[:, 12:].reshape(-1, 3, 3, 3)
+        if drawn:
+            load = (1 - 2 * nu) * np.einsum("pcaa->pc", second) + np.einsum("paac->pc", second)
+            found["load"] = max(found["load"], np.abs(load).max() / np.abs(second).max())
+        else:
+            found["affine"] = max(found["affine"], rms(image[:, :3] - points @ matrix.T - shift))
+    return figures(found)
+
+
+MEASURES = {"densities": densities, "elastic_held": elastic_held, "follow": follow, "gamma_d": gamma_d, "affine": affine, "similar": similar, "infinite_nu": infinite_nu, "phong": phong, "unity": unity}
 
 if __name__ == "__main__":
     if len(sys.argv) != 2 or sys.argv[1] not in MEASURES:

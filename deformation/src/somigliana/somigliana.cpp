@@ -5,6 +5,7 @@
 #include "corotation.h"
 #include "derivative.h"
 #include "parts.h"
+#include "pole.h"
 #include "posed_matrices.h"
 
 #include "cageproof/core/input_error.h"
@@ -144,11 +145,9 @@ class Somigliana final : public Deformer<R> {
 
   const CageCoordinates& coordinates() const override { return coordinates_; }
   DeformationReport prepared() const override {
-    // Tractions grow like one over this, and cancel.
-    const double off = std::abs(1 - 2 * options_.nu);
-    if (off > 1e-6) return {};
-    return {
-        {}, {}, {fmt::format("nu is next to its pole 1/2: 1 - 2 nu = {:.1e}, and images lose digits like it", off)}};
+    DeformationReport report;
+    warn_of_pole(options_.nu, report.warnings);
+    return report;
   }
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
     check_pose(coordinates_.elements(), pose, normals_owner(coordinates_));

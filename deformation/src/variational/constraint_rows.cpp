@@ -4,6 +4,7 @@
 #include "../constraint_checks.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/deformation/stress.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,7 @@ void check_weight(const char* name, double weight) {
     throw InputError(fmt::format("{} = {} is no weight: weights are finite and at least 0", name, weight));
 }
 
-// A row a point and derivative, from `first` on.
+// A row a point and derivative, from `first` on, for each component that is not served alike.
 template <Scalar R>
 void put_rows(const CageCoordinates& coordinates, const std::string& name, const std::vector<Vec3<double>>& points,
               int order, const R& root, Eigen::Index first, ConstraintRows<R>& rows) {
@@ -30,15 +31,18 @@ void put_rows(const CageCoordinates& coordinates, const std::string& name, const
   const auto tables = coordinates.at<R>(at, order);
   check_inside(name, points, tables[0], d);
   for (std::size_t p = 0; p < points.size(); ++p) {
-    const Eigen::Index row = first + static_cast<Eigen::Index>(p) * width;
+    const Eigen::Index row = (first + static_cast<Eigen::Index>(p) * width) * rows.components;
     Eigen::Index column = 0;
     for (const CoordinateTable<R>& table : tables) {
-      const auto count = static_cast<Eigen::Index>(table.stride[order]) / width;
-      const Eigen::Map<const Matrix<R>> found(&table.tensors[order][p * table.stride[order]], width, count);
-      rows.matrix.block(row, column, width, count) = root * found;
-      column += count;
+      const R* from = &table.tensors[order][p * table.stride[order]];
+      const R* const end = from + table.stride[order];
+      for (; from != end; column += rows.components)
+        for (int r = 0; r < rows.components; ++r)
+          for (int c = 0; c < rows.components; ++c)
+            for (Eigen::Index i = 0; i < width; ++i)
+              rows.matrix(row + i * rows.components + r, column + c) = root * *from++;
     }
-    if (!rows.matrix.middleRows(row, width).allFinite())
+    if (!rows.matrix.middleRows(row, width * rows.components).allFinite())
       throw ConstraintError(
           fmt::format("{}[{}] at {} is on the cage, where the coordinates have no derivatives of order {}", name, p,
                       place_text(points[p], d), order));
@@ -70,6 +74,8 @@ std::vector<Vec3<double>> places_of(const auto& constraints) {
 }  // namespace
 
 void check_constraints(const Constraints& constraints, const VariationalOptions& options, int dimension) {
+  if (options.subspace == Subspace::Elastic && !has_stress(options.nu))
+    throw InputError(fmt::format("nu = {}: it is between -1 and 1/2, both excluded, or infinite", options.nu));
   check_weight("alpha", options.alpha);
   check_weight("beta", options.beta);
   check_weight("gamma", options.gamma);
@@ -108,13 +114,15 @@ ConstraintRows<R> constraint_rows(const CageCoordinates& coordinates, const Cons
   rows.hessians = rows.rotations + d * count(constraints.rotations);
   rows.root_alpha = sqrt(R(options.alpha));
   rows.root_beta = sqrt(R(options.beta));
-  rows.matrix.resize(rows.hessians + d * d * count(constraints.hessians), rows.units.size());
+  rows.components = coordinates.blocks().front().shape.rows;
+  rows.matrix.resize((rows.hessians + d * d * count(constraints.hessians)) * rows.components,
+                     rows.units.size() * rows.components);
   put_rows<R>(coordinates, "positions", places_of(constraints.positions), 0, R(1), 0, rows);
   put_rows<R>(coordinates, "orientations", places_of(constraints.orientations), 1, rows.root_alpha, rows.orientations,
               rows);
   put_rows<R>(coordinates, "rotations", constraints.rotations, 1, rows.root_beta, rows.rotations, rows);
   put_rows<R>(coordinates, "hessians", constraints.hessians, 2, R(sqrt(R(options.gamma))), rows.hessians, rows);
-  for (Eigen::Index k = 0; k < rows.units.size(); ++k) rows.matrix.col(k) *= rows.units[k];
+  for (Eigen::Index k = 0; k < rows.matrix.cols(); ++k) rows.matrix.col(k) *= rows.units[k / rows.components];
   return rows;
 }
 

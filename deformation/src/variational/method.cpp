@@ -11,8 +11,9 @@ std::shared_ptr<const ConstrainedDeformer<double>> prepare(const Cage& cage, con
   const std::vector<double>& p = options.parameters;
   return std::make_shared<Variational<double>>(
       cage, constraints,
-      VariationalOptions{.subspace = p[0] == 0 ? Subspace::Harmonic : Subspace::Biharmonic,
+      VariationalOptions{.subspace = static_cast<Subspace>(static_cast<int>(p[0])),
                          .nearest = p[1] == 0 ? Nearest::Rotation : Nearest::Similarity,
+                         .nu = p[7],
                          .alpha = p[2],
                          .beta = p[3],
                          .gamma = p[4],
@@ -29,11 +30,11 @@ KindParameter weight(std::string_view name, double preset, std::string_view mean
 const VariationalOptions presets;
 const RegisterConstraintMethod variational{
     {.name = "variational",
-     .source = "[T24] Section 4.2, Eq 37-40",
+     .source = "[T24] Section 4.2, Eq 37-40, and Section 5",
      .keeps = "rigid targets (rotations=similar: similar ones)",
-     .parameters = {{{.name = "subspace", .preset = 1, .lowest = -1, .highest = 2, .whole = true},
+     .parameters = {{{.name = "subspace", .preset = 1, .lowest = -1, .highest = 3, .whole = true},
                      "of maps",
-                     {"harmonic", "biharmonic"}},
+                     {"harmonic", "biharmonic", "elastic"}},
                     {{.name = "rotations", .preset = 0, .lowest = -1, .highest = 2, .whole = true},
                      "what Jacobians at rotation points are drawn to",
                      {"rigid", "similar"}},
@@ -48,7 +49,9 @@ const RegisterConstraintMethod variational{
                       .whole = true},
                      "at most"},
                     {{.name = "tolerance", .preset = presets.tolerance, .lowest = kBelowZero, .highest = 1},
-                     "steps end when one lowers the energy by no more than this part of it"}},
+                     "steps end when one lowers the energy by no more than this part of it"},
+                    {{.name = "nu", .preset = presets.nu, .lowest = -1, .highest = 0.5, .includes_infinity = true},
+                     "Poisson's ratio, of subspace=elastic and of --stress"}},
      .prepare = prepare}};
 
 }  // namespace

@@ -2,9 +2,10 @@
 #include "variational.h"
 
 #include "../constraint_checks.h"
-#include "../linear_posed.h"
+#include "../matrix_posed.h"
 #include "../nearest_rotation.h"
 #include "../own_place.h"
+#include "../somigliana/pole.h"
 #include "constraint_rows.h"
 
 #include "cageproof/core/input_error.h"
@@ -12,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -19,7 +21,8 @@ namespace cageproof::deformation {
 namespace {
 
 const CoordinateKind& kind_of_subspace(Subspace subspace) {
-  return coordinate_kind_named(subspace == Subspace::Harmonic ? "green" : "biharmonic");
+  constexpr std::array<std::string_view, 3> kinds{"green", "biharmonic", "somigliana"};
+  return coordinate_kind_named(kinds[static_cast<std::size_t>(subspace)]);
 }
 
 // Coordinates for constraints that are sound in themselves: evaluations do not judge points.
@@ -29,7 +32,10 @@ CageCoordinates checked_coordinates(const Cage& cage, const Constraints& constra
   const CoordinateKind& kind = kind_of_subspace(options.subspace);
   if (const std::string reason = why_refused(kind, cage); !reason.empty())
     throw InputError(fmt::format("{}: {}", cage.name(), reason));
-  return {cage, kind, CoordinateOptions{options.evaluation, options.triangulation, {}}};
+  // The shear modulus is the unit of tractions.
+  std::vector<double> parameters;
+  if (options.subspace == Subspace::Elastic) parameters = {1, options.nu};
+  return {cage, kind, CoordinateOptions{options.evaluation, options.triangulation, std::move(parameters)}};
 }
 
 }  // namespace
@@ -45,12 +51,14 @@ struct Variational<R>::Prepared {
     const CageElements& elements = coordinates.elements();
     const std::vector<Vec3<R>> vertices = vertices_in<R>(elements);
     place = own_place(elements.vertices());
-    rest = Matrix<R>::Zero(rows.units.size(), dimension());
-    rest.topRows(static_cast<Eigen::Index>(vertices.size())) =
+    Matrix<R> at_rest = Matrix<R>::Zero(rows.units.size(), dimension());
+    at_rest.topRows(static_cast<Eigen::Index>(vertices.size())) =
         rows_of(vertices, dimension()).rowwise() - convert<R>(place).head(dimension()).transpose();
-    rest.middleRows(static_cast<Eigen::Index>(vertices.size()), static_cast<Eigen::Index>(elements.count())) =
+    at_rest.middleRows(static_cast<Eigen::Index>(vertices.size()), static_cast<Eigen::Index>(elements.count())) =
+        R(coordinates.blocks()[1].normal_factor) *
         rows_of(stretched_normals(Stretch::Unit, elements, vertices), dimension());
-    for (Eigen::Index k = 0; k < rest.rows(); ++k) rest.row(k) /= rows.units[k];
+    for (Eigen::Index k = 0; k < at_rest.rows(); ++k) at_rest.row(k) /= rows.units[k];
+    rest = rows.stacked(at_rest);
   }
 
   int dimension() const { return coordinates.dimension(); }
@@ -59,8 +67,15 @@ struct Variational<R>::Prepared {
   }
   Eigen::Index free_unknowns() const { return rows.matrix.cols() - factors.rank(); }
 
+  // Elastic maps are displacements from rest, so that the least of them keep the identity.
+  Matrix<R> solved(const Matrix<R>& right) const {
+    if (options.subspace != Subspace::Elastic) return factors.solve(right);
+    return rest + factors.solve(right - rows.matrix * rest);
+  }
+
   std::vector<std::string> warnings() const {
     std::vector<std::string> all;
+    if (options.subspace == Subspace::Elastic) warn_of_pole(options.nu, all);
     if (constraints.positions.empty()) all.emplace_back("there is no positional constraint: translations are free");
     if (free_unknowns() > 0)
       all.push_back(fmt::format("the constraints leave {} of {} unknowns free: the solution of least norm is taken",
@@ -71,13 +86,13 @@ struct Variational<R>::Prepared {
   // Targets of all rows; those of rotations are zero still.
   Matrix<R> targets(const std::vector<Vec3<double>>& positions) const {
     const int d = dimension();
-    Matrix<R> right = Matrix<R>::Zero(rows.matrix.rows(), d);
+    Matrix<R> right = Matrix<R>::Zero(rows.matrix.rows() / rows.components, d);
     for (std::size_t p = 0; p < positions.size(); ++p)
       right.row(static_cast<Eigen::Index>(p)) = (convert<R>(positions[p]) - convert<R>(place)).head(d).transpose();
     for (std::size_t p = 0; p < constraints.orientations.size(); ++p)
       right.middleRows(rows.orientations + d * static_cast<Eigen::Index>(p), d) =
           rows.root_alpha * constraints.orientations[p].jacobian.topLeftCorner(d, d).transpose().template cast<R>();
-    return right;
+    return rows.stacked(right);
   }
 
   // Puts the rotation or similarity nearest to each Jacobian among the targets. Returns the first point where it is not
@@ -87,12 +102,14 @@ struct Variational<R>::Prepared {
     std::optional<std::size_t> ambiguous;
     if (rows.root_beta == 0) return ambiguous;
     for (std::size_t p = 0; p < constraints.rotations.size(); ++p) {
-      const Eigen::Index first = rows.rotations + d * static_cast<Eigen::Index>(p);
-      const SpaceMatrix<R> jacobian = (rows.matrix.middleRows(first, d) * solution).transpose() / rows.root_beta;
+      const Eigen::Index count = d * rows.components,
+                         first = rows.rotations * rows.components + count * static_cast<Eigen::Index>(p);
+      const SpaceMatrix<R> jacobian =
+          rows.table(rows.matrix.middleRows(first, count) * solution).transpose() / rows.root_beta;
       const NearestRotation<R> nearest = nearest_rotation<R>(jacobian, R(1e-10));
       if (!nearest.is_unique && !ambiguous) ambiguous = p;
       const R factor = options.nearest == Nearest::Similarity ? R(nearest.signed_values.sum() / d) : R(1);
-      right.middleRows(first, d) = rows.root_beta * factor * nearest.rotation.transpose();
+      right.middleRows(first, count) = rows.stacked(rows.root_beta * factor * nearest.rotation.transpose());
     }
     return ambiguous;
   }
@@ -111,14 +128,17 @@ struct Variational<R>::Prepared {
   }
 
   std::unique_ptr<const Posed<R>> posed(const Matrix<R>& solution, DeformationReport report) const {
-    const Matrix<R> coefficients = rows.units.asDiagonal() * solution;
+    const Matrix<R> coefficients = rows.units.asDiagonal() * rows.table(solution);
     std::vector<Matrix<R>> data;
     Eigen::Index first = 0;
     for (const CoordinateBlock& block : coordinates.blocks()) {
       data.emplace_back(coefficients.middleRows(first, block.size));
       first += block.size;
     }
-    return shifted<R>(std::make_unique<LinearPosed<R>>(std::move(data), std::move(report)), place, dimension());
+    std::unique_ptr<const Posed<R>> found;
+    if (rows.components == 1) found = std::make_unique<LinearPosed<R>>(std::move(data), std::move(report));
+    else found = std::make_unique<MatrixPosed<R>>(std::move(data), std::move(report));
+    return shifted<R>(std::move(found), place, dimension());
   }
 
   std::unique_ptr<const Posed<R>> run(const std::vector<Vec3<double>>& positions, const StepWatcher& watch) const {
@@ -136,7 +156,7 @@ struct Variational<R>::Prepared {
         told = true;
       }
       report.energies.push_back(energy(solution, right));
-      Matrix<R> next = factors.solve(right);
+      Matrix<R> next = solved(right);
       const double after = energy(next, right);
       // The least cannot be more than what there was, but by the rounding of what is asked for.
       if (after > report.energies.back() * (1 + 1e-9) + energy_of_roundings(1e4, right)) {
@@ -174,7 +194,7 @@ struct Variational<R>::Prepared {
   ConstraintRows<R> rows;
   LeastSquares<R> factors;                    ///< of the rows' matrix
   Vec3<double> place = Vec3<double>::Zero();  ///< what all is solved from, next to the cage; least coefficients, too
-  Matrix<R> rest;                             ///< the identity's coefficients from there, in units
+  Matrix<R> rest;                             ///< the identity's coefficients from there, in units, stacked
 };
 
 template <Scalar R>

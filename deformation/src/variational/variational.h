@@ -7,8 +7,10 @@
 
 namespace cageproof::deformation {
 
-/// Maps f = phi a + psi b, or f = phi a + psi b + phibar c + psibar d.
-enum class Subspace { Harmonic, Biharmonic };
+/// Maps f = phi a + psi b, or f = phi a + psi b + phibar c + psibar d, or f = x + T u + K t: displacements of elastic
+/// bodies, whose vertices move by u, with tractions t on elements ([T24] Section 5 suggests them). T and K are the
+/// matrices of Somigliana coordinates, so that components are not independent.
+enum class Subspace { Harmonic, Biharmonic, Elastic };
 
 /// What Jacobians at Constraints::rotations are drawn to.
 enum class Nearest { Rotation, Similarity };
@@ -18,6 +20,7 @@ enum class Nearest { Rotation, Similarity };
 struct VariationalOptions {
   Subspace subspace = Subspace::Biharmonic;
   Nearest nearest = Nearest::Rotation;
+  double nu = 0.3;       ///< Poisson's ratio of elastic maps, in (-1, 1/2), or infinite
   double alpha = 0.01;   ///< weight of orientations, at least 0
   double beta = 0.01;    ///< of rotations, at least 0; the larger, the slower the convergence
   double gamma = 0.001;  ///< of Hessians, at least 0
@@ -35,8 +38,8 @@ struct VariationalOptions {
 /// similarity) nearest to Jf, then the coefficients solve a linear least-squares problem. Its matrix depends only on
 /// places and weights and is factored once. The first map is the identity. The energy rises only by rounding, at
 /// any half step; its minimum need not be the global one. Where constraints do not determine the coefficients, those of
-/// least norm are taken, in the cage's own unit of length and next to it, and the report has a warning. R: double or
-/// Mp50. Safe from any thread.
+/// least norm are taken, in the cage's own unit of length and next to it, and the report has a warning; of elastic maps
+/// the displacements of least norm. R: double or Mp50. Safe from any thread.
 template <Scalar R>
 class Variational final : public ConstrainedDeformer<R> {
  public:
@@ -45,7 +48,7 @@ class Variational final : public ConstrainedDeformer<R> {
   /// do not exist
   Variational(const Cage& cage, Constraints constraints, const VariationalOptions& options = {});
 
-  /// The coordinates, of kind `green` or `biharmonic`.
+  /// The coordinates, of kind `green`, `biharmonic` or `somigliana`.
   const CageCoordinates& coordinates() const override;
   DeformationReport prepared() const override;
 

@@ -34,6 +34,22 @@ constexpr int few_steps = 40, many_steps = 4000;
 constexpr double any_decrease = std::numeric_limits<double>::min();
 constexpr double larger = 10;
 
+// The sums over components and their derivatives of an error times a block's coordinates: one row per coordinate, one
+// column per component of what it multiplies.
+// \param tensors [coordinate][entry][derivative] \param error [derivative][component]
+Eigen::MatrixXd products(const CoordinateBlock& block, const std::vector<double>& tensors,
+                         const Eigen::MatrixXd& error) {
+  const Eigen::Map<const Eigen::MatrixXd> entries(tensors.data(), error.rows(), block.size * block.entries());
+  const Eigen::MatrixXd all = entries.transpose() * error;
+  if (block.shape.rows == 1) return all;
+  Eigen::MatrixXd found = Eigen::MatrixXd::Zero(block.size, error.cols());
+  for (Eigen::Index k = 0; k < found.rows(); ++k)
+    for (Eigen::Index row = 0; row < error.cols(); ++row)
+      for (Eigen::Index c = 0; c < error.cols(); ++c)
+        found(k, c) += all((k * error.cols() + row) * error.cols() + c, row);
+  return found;
+}
+
 // Where a cage far off lies, in numbers so round that steps from there to its points are doubles: nowhere where an axis
 // has it next to the origin.
 Vec3<double> round_place(const Vec3<double>& vertex, double size) {
@@ -219,9 +235,8 @@ double ConstrainedChecks::flatness(std::string_view pose) const {
     const Eigen::MatrixXd found = Eigen::Map<const Eigen::MatrixXd>(images.tensors[order].data(), width, d);
     const auto tables = coordinates.at<double>(std::span(&at, 1), order);
     for (std::size_t b = 0; b < tables.size(); ++b) {
-      const Eigen::Map<const Eigen::MatrixXd> rows(tables[b].tensors[order].data(), width, of_map[b].rows());
-      of_map[b] += weight * rows.transpose() * (found - target);
-      of_rest[b] += weight * rows.transpose() * (identity - target);
+      of_map[b] += weight * products(coordinates.blocks()[b], tables[b].tensors[order], found - target);
+      of_rest[b] += weight * products(coordinates.blocks()[b], tables[b].tensors[order], identity - target);
     }
   };
   const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(d, d), none = Eigen::MatrixXd::Zero(d * d, d);

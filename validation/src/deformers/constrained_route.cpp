@@ -55,7 +55,8 @@ MapAtConstraints identity_at(const deformation::Constraints& constraints, int d)
   });
 }
 
-// The directions of one coefficient, component by component, in a unit in which the cage's size is one.
+// The directions of one coefficient, component by component, in a unit in which the cage's size is one. A coordinate
+// that is a number moves only that component, one that is a matrix all, by its column.
 class Directions {
  public:
   Directions(const CageCoordinates& coordinates, const deformation::Constraints& constraints, double size)
@@ -72,18 +73,20 @@ class Directions {
   void each(const F& use) const {
     std::size_t first = 0;
     for (const CoordinateBlock& block : blocks_)
-      for (int k = 0; k < block.size; ++k, ++first)
-        for (int c = 0; c < d_; ++c) use(along(first, c, std::pow(size_, -block.degree)));
+      for (int k = 0; k < block.size; ++k, first += block.entries())
+        for (int c = 0; c < d_; ++c) use(along(first, c, block.shape.rows > 1, std::pow(size_, -block.degree)));
   }
 
  private:
-  MapAtConstraints along(std::size_t coefficient, int component, const Mp50& unit) const {
+  MapAtConstraints along(std::size_t first, int component, bool is_matrix, const Mp50& unit) const {
     const auto of = [&](const std::vector<MapTensor>& layers, int order) {
       const std::size_t width = derivative_count(d_, order);
       std::vector<MapTensor> found;
       for (const MapTensor& all : layers) {
         MapTensor& tensor = found.emplace_back(static_cast<std::size_t>(d_) * width);
-        for (std::size_t i = 0; i < width; ++i) tensor[component * width + i] = unit * all[coefficient * width + i];
+        for (int row = is_matrix ? 0 : component; row < (is_matrix ? d_ : component + 1); ++row)
+          for (std::size_t i = 0; i < width; ++i)
+            tensor[row * width + i] = unit * all[(first + (is_matrix ? row * d_ + component : 0)) * width + i];
       }
       return found;
     };
