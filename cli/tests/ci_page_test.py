@@ -15,9 +15,9 @@ from pathlib import Path
 program, page = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).read_text()
 environment = os.environ | {"PATH": f"{program.parent}:{os.environ['PATH']}", "CAGEPROOF_PROGRESS": "1e9"}
 jobs = [re.findall(r"^ +- (?:run: )?(cageproof .*)$", block, re.M) for block in re.findall(r"^```yaml\n(.*?)^```", page, re.M | re.S)]
-# The second one judges a cage, whose own promises the test docs.ci runs with the page's commands.
+# The second one judges a cage, which takes minutes: its command is the page's.
 assert [len(job) for job in jobs] == [2, 1, 2], jobs
-assert jobs[1][0] in page.replace(" >cage.txt", ""), jobs[1]
+assert page.count(jobs[1][0]) == 2, jobs[1]
 for number, (measure, compare) in enumerate(job for job in jobs if len(job) == 2):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
