@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "inputs_outside.h"
 #include "judge_option.h"
+#include "progress.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/catalogue/name_pattern.h"
@@ -128,7 +129,7 @@ int run(Arguments& a) {
   result.settings["seconds"] = fmt::format("{}", a.options.seconds);
   result.settings["timed"] = fmt::format("{}", a.options.timed);
   std::cout << (a.csv ? reports::work_precision_csv(result) : reports::work_precision_text(result));
-  if (writer) writer->write(result);
+  if (writer) remark(fmt::format("written to {}: {}", a.out, fmt::join(writer->write(result), ", ")));
   return success;
 }
 

@@ -11,6 +11,7 @@
 #include "cageproof/validation/verify.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <cmath>
@@ -55,6 +56,15 @@ std::string summary_of(const fs::path& path) {
   return validation::summary_of_journal(file);
 }
 
+// Rows of other samples differ, and rows that one run has not are gone, whatever the code does.
+void warn_of_settings(const Arguments& a, const std::vector<std::string>& settings) {
+  if (settings.empty()) return;
+  fmt::print(stderr,
+             "warning: {} and {} come from other settings ({}), so that figures differ and rows are missing for that "
+             "reason, too; run `verify` with the same options for both\n",
+             a.before, a.after, fmt::join(settings, "; "));
+}
+
 void append_line(const fs::path& path, const std::string& line) {
   std::ofstream file(path, std::ios::app | std::ios::binary);
   file.write(line.data(), static_cast<std::streamsize>(line.size())).flush();
@@ -78,6 +88,7 @@ int judge(const Arguments& a) {
   const reports::Changes changes =
       times ? reports::changes_of_benchmarks(before, after, tolerance, a.before, a.after)
             : reports::changes_of_summaries(before, after, renamed, tolerance, a.before, a.after);
+  warn_of_settings(a, changes.settings);
   std::vector<std::pair<fs::path, std::string>> files;
   if (!a.junit.empty()) files.emplace_back(a.junit, changes_junit(changes));
   if (!a.action.empty()) files.emplace_back(a.action, smaller_is_better_json(changes));
@@ -100,6 +111,7 @@ int run(const Arguments& a) {
   const reports::Renamed renamed = a.names.empty() ? reports::Renamed() : reports::read_renamed(a.names);
   const reports::Differences found =
       reports::compare_summaries(summary_of(a.before), summary_of(a.after), renamed, a.before, a.after);
+  warn_of_settings(a, found.settings);
   if (found.taken_for_hybrid > 0)
     fmt::print("{} entries closed_form of {}, whose schema is before 4, are compared with hybrid, their name today\n",
                found.taken_for_hybrid, a.before);

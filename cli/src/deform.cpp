@@ -380,10 +380,11 @@ void add_deform(CommandLine& line) {
       .taking("FILE");
   command.heading("Output");
   command
-      .option("--out", a->out,
-              ".obj, .ply, .stl, .svg, .vtp, .csv or .npy, with {n} or {n:03d} for the number of the map; or all maps "
-              "in one, .pc2 or .mdd with a frame each, or NAME.pvd, which names NAME_001.vtp and so on for ParaView; a "
-              ".json beside it, beside each .vtp of a .pvd, says what was done")
+      .option(
+          "--out", a->out,
+          ".obj, .ply, .stl, .svg, .vtp, .csv or .npy, with {n} or {n:03d} for the number of the map; or all maps "
+          "in one, .pc2 or .mdd with a frame each, or NAME.pvd, which names NAME_001.vtp and so on for ParaView; one "
+          ".json beside it, for all maps, says what was done")
       .taking("FILE")
       .required();
   command.option("--frame-rate", a->frame_rate, "frames a second, of .mdd")

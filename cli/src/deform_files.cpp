@@ -47,19 +47,16 @@ void check_distinct(const DeformArguments& a, std::size_t maps) {
         throw InputError(fmt::format("{}: {} is the file of {}, too", name.string(), option, its_option));
     known.emplace_back(path, option);
   };
-  const auto write_with_report = [&](const std::filesystem::path& out) {
-    write(out, "--out");
-    const std::filesystem::path report = std::filesystem::path(out).replace_extension(".json");
-    write(report, "the .json beside --out");
-    if (std::filesystem::exists(report) && read_file(report).find(deformation_schema) == std::string::npos)
-      throw InputError(fmt::format(
-          "{}: stands where the report beside {} goes, and is no such report; choose another --out, or move it",
-          report.string(), out.string()));
-  };
   const bool in_one = is_point_cache(a.out);
-  if (in_one) write_with_report(a.out);
+  if (in_one) write(a.out, "--out");
+  const std::filesystem::path report = report_file(a, maps);
+  write(report, "the .json beside --out");
+  if (std::filesystem::exists(report) && read_file(report).find(deformation_schema) == std::string::npos)
+    throw InputError(fmt::format(
+        "{}: stands where the report beside {} goes, and is no such report; choose another --out, or move it",
+        report.string(), in_one || maps > 1 ? a.out : numbered(a.out, 1)));
   for (std::size_t k = 1; k <= maps; ++k) {
-    if (!in_one) write_with_report(numbered(a.out, k));
+    if (!in_one) write(numbered(a.out, k), "--out");
     if (!a.derivatives.empty()) write(numbered(a.derivatives, k), "--derivatives");
     if (a.stress.asked()) write(numbered(a.stress.file, k), "--stress");
   }
@@ -110,6 +107,19 @@ void split_collection(DeformArguments& a) {
   std::filesystem::path series = a.out;
   series.replace_filename(series.stem().string() + "_{n:03d}.vtp");
   a.out = series.string();
+}
+
+std::filesystem::path report_file(const DeformArguments& a, std::size_t maps) {
+  if (!a.collection.empty()) return std::filesystem::path(a.collection).replace_extension(".json");
+  if (is_point_cache(a.out)) return std::filesystem::path(a.out).replace_extension(".json");
+  std::filesystem::path file = numbered(a.out, 1);
+  if (maps > 1) {
+    std::string stem = without_marks(std::filesystem::path(a.out).stem().string());
+    // What stood between name and number.
+    stem.erase(stem.find_last_not_of("_-. ") + 1);
+    file.replace_filename(stem.empty() ? "maps" : stem + ".x");
+  }
+  return file.replace_extension(".json");
 }
 
 std::vector<std::pair<std::string, std::string>> given_data(const DeformArguments& a) {

@@ -33,7 +33,7 @@ struct DeformArguments {
 
 inline constexpr std::string_view deformation_schema = "cageproof-deformation";
 
-/// Schema of the report next to a file of several maps.
+/// Schema of the report on several maps.
 inline constexpr std::string_view deformations_schema = "cageproof-deformations";
 /// Frames per second where the user gave none.
 inline constexpr double usual_rate = 24;
@@ -50,6 +50,9 @@ std::vector<std::pair<std::string, std::string>> given_data(const DeformArgument
 /// \param maps that are written, their number \throws InputError for a file whose format cannot hold what is to be
 /// written, whose folder does not exist, or that is read or written, too
 void check_names(const DeformArguments& a, std::size_t maps);
+
+/// The file of the report: beside --out, without the maps' numbers where there are several.
+std::filesystem::path report_file(const DeformArguments& a, std::size_t maps);
 
 /// \throws InputError where --out is of a format that cannot hold such points
 void check_shapes(const DeformArguments& a, const Mesh& mesh, int dimension);

@@ -24,19 +24,29 @@ std::optional<Mark> mark_of(std::string_view text) {
   return Mark{7, text[4] - '0'};
 }
 
-}  // namespace
-
-std::string numbered(const std::string& name, std::size_t number) {
+// The name with a text in every place.
+template <class F>
+std::string filled(const std::string& name, const F& text_of) {
   std::string found;
   for (std::size_t at = 0; at < name.size();) {
     if (const auto mark = mark_of(std::string_view(name).substr(at))) {
-      found += fmt::format("{:0{}}", number, mark->digits);
+      found += text_of(*mark);
       at += mark->length;
     } else {
       found += name[at++];
     }
   }
   return found;
+}
+
+}  // namespace
+
+std::string numbered(const std::string& name, std::size_t number) {
+  return filled(name, [number](const Mark& mark) { return fmt::format("{:0{}}", number, mark.digits); });
+}
+
+std::string without_marks(const std::string& name) {
+  return filled(name, [](const Mark&) { return std::string(); });
 }
 
 bool has_mark(const std::string& name) {

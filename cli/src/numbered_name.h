@@ -10,6 +10,9 @@ namespace cageproof::cli {
 /// The name with the number in every such place. \pre require_marks takes the name
 std::string numbered(const std::string& name, std::size_t number);
 
+/// The name without such places.
+std::string without_marks(const std::string& name);
+
 /// Whether it has such a place.
 bool has_mark(const std::string& name);
 

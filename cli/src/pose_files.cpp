@@ -15,22 +15,21 @@ std::string PoseFiles::name_of(std::size_t k) const {
   return is_point_cache(a_.out) ? fmt::format("{}, frame {}", a_.out, k) : numbered(a_.out, k);
 }
 
-void PoseFiles::add_report(const std::string& out, const nlohmann::ordered_json& report) {
+void PoseFiles::add_report(const nlohmann::ordered_json& report) {
   // A file's name may hold bytes that are not UTF-8.
   const std::string text = report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  files_.emplace_back(std::filesystem::path(out).replace_extension(".json"), text + '\n');
+  files_.emplace_back(report_file(a_, maps_), text + '\n');
 }
 
 void PoseFiles::add(const std::string& pose, const Mesh& deformed, const CoordinateColumns& images,
                     const nlohmann::ordered_json& report) {
   const std::size_t k = ++maps_;
+  reports_.push_back(report);
   if (is_point_cache(a_.out)) {
     frames_.push_back({pose, deformed.vertices});
-    frame_reports_.push_back(report);
   } else {
     const std::string out = numbered(a_.out, k);
     files_.emplace_back(out, text_for(out, deformed, images, source_));
-    add_report(out, report);
   }
   if (!a_.derivatives.empty()) add_table(a_.derivatives, deformed, images);
 }
@@ -52,7 +51,6 @@ void PoseFiles::add_cache() {
     fmt::print(stderr, "warning: {}: point caches are single precision: coordinates are rounded to about 7 digits\n",
                a_.out);
   files_.emplace_back(a_.out, std::move(cache.bytes));
-  add_report(a_.out, {{"schema", deformations_schema}, {"schema_version", 1}, {"frames", frame_reports_}});
 }
 
 void PoseFiles::add_collection() {
@@ -65,6 +63,10 @@ void PoseFiles::add_collection() {
 void PoseFiles::write() {
   if (is_point_cache(a_.out)) add_cache();
   if (!a_.collection.empty()) add_collection();
+  if (!is_point_cache(a_.out) && maps_ > 1)
+    for (std::size_t k = 1; k <= maps_; ++k) reports_[k - 1]["file"] = numbered(a_.out, k);
+  if (maps_ == 1 && !is_point_cache(a_.out)) add_report(reports_.front());
+  else add_report({{"schema", deformations_schema}, {"schema_version", 1}, {"frames", reports_}});
   reports::replace_files(files_);
 }
 

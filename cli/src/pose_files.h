@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `deform` has made of its maps, before anything is written: a file and a report each, or all of them in one.
+// What `deform` has made of its maps, before anything is written: a file each, or all of them in one, and a report.
 #pragma once
 
 #include "deform_files.h"
@@ -32,14 +32,14 @@ class PoseFiles {
  private:
   void add_cache();
   void add_collection();
-  void add_report(const std::string& out, const nlohmann::ordered_json& report);
+  void add_report(const nlohmann::ordered_json& report);
 
   const DeformArguments& a_;
   MeshSource source_;
   std::size_t maps_ = 0;
   std::vector<std::pair<std::filesystem::path, std::string>> files_;
-  std::vector<reports::CacheFrame> frames_;  // of a point cache
-  std::vector<nlohmann::ordered_json> frame_reports_;
+  std::vector<reports::CacheFrame> frames_;      // of a point cache
+  std::vector<nlohmann::ordered_json> reports_;  // of each map
 };
 
 }  // namespace cageproof::cli

@@ -165,6 +165,14 @@ kills() {
   "$cageproof" compare alone other.json >compared.txt
   [ $? -eq 1 ] || fail "compare does not exit with 1"
   grep -q 'differs: row: element triangle.double_layer.* without_truth 0 -> 5' compared.txt || fail "compare: $(tail -n 3 compared.txt)"
+  # Other settings are named, whichever way is compared; the same are not mentioned.
+  zcat alone/summary.json.gz | sed 's/"seed":[0-9]*/"seed":99/; s/"samples":"[0-9]*"/"samples":"7"/' >seeded.json
+  for tolerance in '' '--tolerance 2x'; do
+    # shellcheck disable=SC2086
+    "$cageproof" compare alone seeded.json $tolerance >/dev/null 2>said
+    grep -q 'other settings (samples [0-9]* -> 7; seed [0-9]* -> 99)' said || fail "compare does not name settings: $(cat said)"
+  done
+  "$cageproof" compare alone other.json 2>&1 >/dev/null | grep settings && fail "compare names settings that are the same"
   zcat alone/summary.json.gz | sed 's/"check":"truth"/"check":"verity"/g' >renamed.json
   "$cageproof" compare alone renamed.json >/dev/null && fail "compare finds a new name equal"
   echo '{"truth": "verity"}' >names.json

@@ -419,8 +419,9 @@ head -n "$(wc -l <"$work/before.jsonl")" "$work/hunted.jsonl" | diff -q - "$work
 # bench: one line per evaluation and distance, the same errors again, and a folder that replaces only its own kind.
 bench() { "$cageproof" bench --samples 2 --seconds 0 "$@"; }
 errors_of() { cut -d, -f 1-14 "$1"; }
-bench --kind somigliana --cage cube --evaluations three-quad-75,closed_form --parameter nu=0.3 --csv --out "$work/bench" >"$work/bench.csv" ||
+bench --kind somigliana --cage cube --evaluations three-quad-75,closed_form --parameter nu=0.3 --csv --out "$work/bench" >"$work/bench.csv" 2>"$work/said" ||
   fail bench
+grep -q "^written to $work/bench: work_precision.csv, .*, pictures/error_time.png$" "$work/said" || fail "bench does not say where its pictures are: $(cat "$work/said")"
 [ "$(wc -l <"$work/bench.csv")" -eq 11 ] || fail "bench: $(cat "$work/bench.csv")"
 for file in work_precision.csv work_precision.json pictures/error_nodes.png pictures/error_time.png pictures/error_distance.png; do
   [ -s "$work/bench/$file" ] || fail "bench: no $file"

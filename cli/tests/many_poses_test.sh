@@ -16,12 +16,13 @@ poses=(--cage cube --posed large.obj --posed cube --posed sheared.obj --points m
 # Names by number.
 "$cageproof" deform "${poses[@]}" --out 'at_{n:02d}.obj' || fail "numbers of two digits"
 "$cageproof" deform "${poses[@]}" --out '{n}_{n:03d}_{n:01d}.csv' || fail "three numbers in a name"
-for file in at_0{1,2,3}.{obj,json} {1_001_1,2_002_2,3_003_3}.{csv,json}; do [ -f "$file" ] || fail "no $file: $(ls)"; done
+for file in at_0{1,2,3}.obj at.json {1_001_1,2_002_2,3_003_3}.csv maps.json; do [ -f "$file" ] || fail "no $file: $(ls)"; done
+[ "$(find . -name '*.json' | wc -l)" -eq 2 ] || fail "more reports than runs: $(ls)"
 many=()
 for _ in 1 2 3 4 5 6 7 8 9 10; do many+=(--posed large.obj); done
 "$cageproof" deform "${poses[@]:0:2}" "${many[@]}" "${poses[@]:8}" --out 'more_{n:01d}.csv' || fail "ten maps"
 [ -f more_9.csv ] && [ -f more_10.csv ] || fail "a number that is longer than its place: $(ls)"
-rm -f more_* ./*_00?_*
+rm -f more* ./*_00?_* maps.json
 for name in 'a_{n:3}.obj' 'a_{n:3d}.obj' 'a_{n:00d}.obj' 'a_{n:010d}.obj' 'a_{n}_{n:}.obj'; do
   refuses "--out $name" '{n:03d}' -- "${poses[@]}" --out "$name"
 done
@@ -54,7 +55,9 @@ for name, rate in ("film", 24), ("quick", 50):
 for name in "film.pc2.json", "film.mdd.json", "quick.json":
     report = json.load(open(name))
     assert (report["schema"], report["schema_version"]) == ("cageproof-deformations", 1), report
-    assert report["frames"] == [json.load(open(f"at_0{k}.json")) for k in (1, 2, 3)], report
+    frames = json.load(open("at.json"))["frames"]
+    assert [frame.pop("file") for frame in frames] == [f"at_0{k}.obj" for k in (1, 2, 3)], frames
+    assert report["frames"] == frames, report
 PY
 # One map is one frame; places that single precision holds need no warning; several parameters are frames, too, and a warning names the frame.
 printf '0.25,0.5,0\n' >exact.csv
@@ -93,7 +96,7 @@ import os
 import xml.etree.ElementTree as tree
 
 folder = "R&D <new>"
-assert sorted(os.listdir(folder)) == ["a & b.pvd"] + [f"a & b_00{k}.{e}" for k in (1, 2, 3) for e in ("json", "vtp")], os.listdir(folder)
+assert sorted(os.listdir(folder)) == ["a & b.json", "a & b.pvd"] + [f"a & b_00{k}.vtp" for k in (1, 2, 3)], os.listdir(folder)
 root = tree.parse(os.path.join(folder, "a & b.pvd")).getroot()
 assert (root.tag, root.get("type")) == ("VTKFile", "Collection")
 steps = root.findall("Collection/DataSet")

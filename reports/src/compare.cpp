@@ -170,6 +170,31 @@ Renamed read_renamed(const std::filesystem::path& path) {
   return renamed;
 }
 
+std::vector<std::string> differing_settings(const Json& before, const Json& after) {
+  const auto settings_of = [](const Json& summary) {
+    std::map<std::string, std::string> found;
+    const auto put = [&](const std::string& name, const Json& value) {
+      found[name] = value.is_string() ? value.get<std::string>() : dump(value);
+    };
+    for (const char* name : {"suite", "seed"})
+      if (summary.contains(name)) put(name, summary[name]);
+    if (const auto all = summary.find("settings"); all != summary.end() && all->is_object())
+      for (const auto& [name, value] : all->items())
+        // They belong to the program: no option of a run decides them.
+        if (name != "stored worst cases") put(name, value);
+    return found;
+  };
+  std::map<std::string, std::string> a = settings_of(before), b = settings_of(after);
+  std::vector<std::string> texts;
+  texts.reserve(a.size() + b.size());
+  for (const auto& [name, value] : a) b.try_emplace(name, "none");
+  for (const auto& [name, value] : b) {
+    const std::string& old = a.try_emplace(name, "none").first->second;
+    if (old != value) texts.push_back(fmt::format("{} {} -> {}", name, old, value));
+  }
+  return texts;
+}
+
 MatchedRows::MatchedRows(std::string_view old_text, std::string_view new_text, const Renamed& renamed,
                          std::string_view old_name, std::string_view new_name)
     : before(parsed(old_text, old_name)), after(parsed(new_text, new_name)) {
@@ -187,6 +212,7 @@ Differences compare_summaries(std::string_view old_text, std::string_view new_te
   const std::strong_ordering age = old_version <=> new_version;
   require_same_bins(before, after, age, old_name, new_name);
   Differences result;
+  result.settings = differing_settings(before, after);
   if (old_version < schema_of_hybrids && new_version >= schema_of_hybrids)
     result.taken_for_hybrid = name_hybrids(before, after);
   for (const List& list : lists) {

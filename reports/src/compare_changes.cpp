@@ -131,6 +131,7 @@ Changes changes_of_summaries(std::string_view old_text, std::string_view new_tex
                              double tolerance, std::string_view old_name, std::string_view new_name) {
   const MatchedRows rows(old_text, new_text, renamed, old_name, new_name);
   Changes result{.old_name = std::string(old_name), .new_name = std::string(new_name), .tolerance = tolerance};
+  result.settings = differing_settings(rows.before, rows.after);
   for (const auto& [name, row] : rows.old_rows) {
     const std::string verdict = row->value("verdict", "not promised");
     if (const auto other = rows.new_rows.find(name); other != rows.new_rows.end()) {

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cageproof::reports {
 
@@ -23,5 +24,8 @@ struct MatchedRows {
   MatchedRows(const MatchedRows&) = delete;
   MatchedRows& operator=(const MatchedRows&) = delete;
 };
+
+/// Options of two runs that decide their figures, and differ: one text each, "name old -> new".
+std::vector<std::string> differing_settings(const Json& before, const Json& after);
 
 }  // namespace cageproof::reports

@@ -94,7 +94,7 @@ struct WorkPrecisionWriter::State {
 WorkPrecisionWriter::WorkPrecisionWriter(const std::filesystem::path& out) : state_(std::make_unique<State>(out)) {}
 WorkPrecisionWriter::~WorkPrecisionWriter() = default;
 
-void WorkPrecisionWriter::write(const WorkPrecision& result) {
+std::vector<std::string> WorkPrecisionWriter::write(const WorkPrecision& result) {
   const std::filesystem::path& folder = state_->folder.path();
   write_file(folder / "work_precision.csv", work_precision_csv(result));
   write_file(folder / "work_precision.json", work_precision_json(result));
@@ -104,6 +104,10 @@ void WorkPrecisionWriter::write(const WorkPrecision& result) {
   if (const auto undrawn = draw(pictures, folder); !undrawn.empty())
     throw InputError(fmt::format("cannot draw {}", undrawn.front()));
   state_->folder.commit();
+  std::vector<std::string> files{"work_precision.csv", "work_precision.json"};
+  files.reserve(files.size() + pictures.size());
+  for (const Picture& picture : pictures) files.push_back(picture.file);
+  return files;
 }
 
 }  // namespace cageproof::reports

@@ -27,6 +27,7 @@ struct Differences {
   std::vector<std::string> added;      ///< entries only in the new report, one line each
   /// Entries `closed_form` of a schema before 4 that were compared with `hybrid`, their name today.
   std::size_t taken_for_hybrid = 0;
+  std::vector<std::string> settings;  ///< of the runs that differ, each as "name old -> new"
   bool same() const { return differing.empty() && gone.empty() && added.empty(); }
 };
 

@@ -43,6 +43,7 @@ struct Changes {
   double tolerance = 1;
   std::size_t compared = 0;  ///< rows or benchmarks that both runs have
   std::vector<Change> changes;
+  std::vector<std::string> settings;     ///< as Differences has them; none of benchmarks
   std::vector<TrackedFigure> figures;    ///< of the new run
   std::string date, commit;              ///< of the new run; empty where it does not say
   std::size_t promises = 0, broken = 0;  ///< of the new run; none in benchmarks

@@ -6,6 +6,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace cageproof::reports {
 
@@ -29,9 +31,9 @@ class WorkPrecisionWriter {
   WorkPrecisionWriter(const WorkPrecisionWriter&) = delete;
   WorkPrecisionWriter& operator=(const WorkPrecisionWriter&) = delete;
 
-  /// Writes all files and puts the folder in its place.
+  /// Writes all files and puts the folder in its place. \return them, by name from the folder on
   /// \throws InputError when a file cannot be written, or gnuplot is missing or fails
-  void write(const WorkPrecision& result);
+  std::vector<std::string> write(const WorkPrecision& result);
 
  private:
   struct State;
