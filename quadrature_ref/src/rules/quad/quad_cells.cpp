@@ -199,8 +199,11 @@ std::vector<PlannedCell> quad_cells(const PolarQuadFrame<Mp50>& frame, double di
   return Planner(frame, digits, longest, most).cells();
 }
 
-QuadPoints points_for(const PlannedCell& cell, double digits) {
-  const auto rounded = [](double n) { return static_cast<int>(std::ceil(std::min(n, kMostPoints))); };
+QuadPoints points_for(const PlannedCell& cell, double digits, int step) {
+  const auto rounded = [step](double n) {
+    const int least = static_cast<int>(std::ceil(std::min(n, kMostPoints)));
+    return least <= 12 ? least : (least + step - 1) / step * step;
+  };
   const double t = points(digits, cell.half_t, cell.ellipse_t), w = points(digits, cell.half_w, cell.ellipse_w);
   return {rounded(t), rounded(w), t <= kMostPoints && w <= kMostPoints};
 }

@@ -19,6 +19,7 @@ std::vector<PlannedCell> quad_cells(const PolarQuadFrame<Mp50>& frame, double di
                                     std::size_t most = 4000);
 
 /// Points for `digits` digits relative to the cell's largest integrand.
-QuadPoints points_for(const PlannedCell& cell, double digits);
+/// \param step large rules have a multiple of so many points, since each rule is computed once a precision
+QuadPoints points_for(const PlannedCell& cell, double digits, int step = 4);
 
 }  // namespace cageproof::quadrature_ref

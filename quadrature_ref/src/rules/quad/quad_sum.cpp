@@ -65,7 +65,8 @@ double QuadSum::plan(const Cut& cut, const std::array<double, 3>& log10_error, s
     for (int o = 0; o <= order_; ++o)
       if (cut.mass[i][o] > kNoMass) rule.digits = std::max(rule.digits, cut.mass[i][o] - log10_error[o]);
     rule.digits = std::min(rule.digits, kDigitsIn200);
-    rule.points = points_for(cut.cells[i], rule.digits);
+    // Points in multiprecision cost more than rules.
+    rule.points = points_for(cut.cells[i], rule.digits, 1);
     // Far away both cuts have the same cells: rules that share their nodes would agree in any case.
     if (&cut == &cuts_[1]) {
       ++rule.points.t;
