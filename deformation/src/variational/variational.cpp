@@ -3,7 +3,7 @@
 
 #include "../constraint_checks.h"
 #include "../linear_posed.h"
-#include "../nearest_rotation.h"
+#include "../nearest_motion.h"
 #include "../own_place.h"
 #include "constraint_rows.h"
 
@@ -45,12 +45,12 @@ struct Variational<R>::Prepared {
     const CageElements& elements = coordinates.elements();
     const std::vector<Vec3<R>> vertices = vertices_in<R>(elements);
     place = own_place(elements.vertices());
+    size = cage.size();
     rest = Matrix<R>::Zero(rows.units.size(), dimension());
     rest.topRows(static_cast<Eigen::Index>(vertices.size())) =
         rows_of(vertices, dimension()).rowwise() - convert<R>(place).head(dimension()).transpose();
     rest.middleRows(static_cast<Eigen::Index>(vertices.size()), static_cast<Eigen::Index>(elements.count())) =
         rows_of(stretched_normals(Stretch::Unit, elements, vertices), dimension());
-    for (Eigen::Index k = 0; k < rest.rows(); ++k) rest.row(k) /= rows.units[k];
   }
 
   int dimension() const { return coordinates.dimension(); }
@@ -63,83 +63,132 @@ struct Variational<R>::Prepared {
     std::vector<std::string> all;
     if (constraints.positions.empty()) all.emplace_back("there is no positional constraint: translations are free");
     if (free_unknowns() > 0)
-      all.push_back(fmt::format("the constraints leave {} of {} unknowns free: the solution of least norm is taken",
+      all.push_back(fmt::format("the constraints leave {} of {} unknowns free: the map next to a rigid motion is taken",
                                 free_unknowns(), rows.matrix.cols()));
     return all;
   }
 
-  // Targets of all rows; those of rotations are zero still.
-  Matrix<R> targets(const std::vector<Vec3<double>>& positions) const {
+  using Turn = SpaceMatrix<R>;
+
+  // A right side: targets of all rows less what the motion makes there. Its values and derivatives are known without
+  // sums of layers, whose roundings the equations' condition would multiply. Rows of rotations are for those as given.
+  Matrix<R> targets(const std::vector<Vec3<double>>& positions, const Motion<R>& motion) const {
     const int d = dimension();
     Matrix<R> right = Matrix<R>::Zero(rows.matrix.rows(), d);
+    const auto step = [d](const Vec3<double>& to, const Vec3<double>& from) {
+      return in<R>(d, convert<R>(to) - convert<R>(from));
+    };
     for (std::size_t p = 0; p < positions.size(); ++p)
-      right.row(static_cast<Eigen::Index>(p)) = (convert<R>(positions[p]) - convert<R>(place)).head(d).transpose();
+      right.row(static_cast<Eigen::Index>(p)) =
+          (step(positions[p], motion.to) - motion.turn * step(constraints.positions[p].at, motion.from)).transpose();
     for (std::size_t p = 0; p < constraints.orientations.size(); ++p)
       right.middleRows(rows.orientations + d * static_cast<Eigen::Index>(p), d) =
-          rows.root_alpha * constraints.orientations[p].jacobian.topLeftCorner(d, d).transpose().template cast<R>();
+          rows.root_alpha *
+          (constraints.orientations[p].jacobian.topLeftCorner(d, d).template cast<R>() - motion.turn).transpose();
     return right;
+  }
+
+  // What rows of the identity have more than those of the motion.
+  Matrix<R> identity(const Motion<R>& motion) const {
+    const int d = dimension();
+    const Turn back = Turn::Identity(d, d) - motion.turn;
+    Matrix<R> found = Matrix<R>::Zero(rows.matrix.rows(), d);
+    for (std::size_t p = 0; p < constraints.positions.size(); ++p) {
+      const Vec3<R> at = convert<R>(constraints.positions[p].at);
+      found.row(static_cast<Eigen::Index>(p)) =
+          (in<R>(d, at - convert<R>(motion.to)) - motion.turn * in<R>(d, at - convert<R>(motion.from))).transpose();
+    }
+    const auto put = [&](Eigen::Index first, std::size_t count, const R& root) {
+      for (std::size_t p = 0; p < count; ++p)
+        found.middleRows(first + d * static_cast<Eigen::Index>(p), d) = root * back.transpose();
+    };
+    put(rows.orientations, constraints.orientations.size(), rows.root_alpha);
+    put(rows.rotations, constraints.rotations.size(), rows.root_beta);
+    return found;
   }
 
   // Puts the rotation or similarity nearest to each Jacobian among the targets. Returns the first point where it is not
   // unique. Rows hold sqrt(beta) times derivatives; with beta = 0 they say nothing, and any rotation does.
-  std::optional<std::size_t> turn(const Matrix<R>& solution, Matrix<R>& right) const {
+  // \param made the map's rows, less the motion's
+  std::optional<std::size_t> turn(const Matrix<R>& made, const Motion<R>& motion, Matrix<R>& right) const {
     const int d = dimension();
     std::optional<std::size_t> ambiguous;
     if (rows.root_beta == 0) return ambiguous;
     for (std::size_t p = 0; p < constraints.rotations.size(); ++p) {
       const Eigen::Index first = rows.rotations + d * static_cast<Eigen::Index>(p);
-      const SpaceMatrix<R> jacobian = (rows.matrix.middleRows(first, d) * solution).transpose() / rows.root_beta;
+      const Turn jacobian = motion.turn + Turn(made.middleRows(first, d).transpose() / rows.root_beta);
       const NearestRotation<R> nearest = nearest_rotation<R>(jacobian, R(1e-10));
       if (!nearest.is_unique && !ambiguous) ambiguous = p;
       const R factor = options.nearest == Nearest::Similarity ? R(nearest.signed_values.sum() / d) : R(1);
-      right.middleRows(first, d) = rows.root_beta * factor * nearest.rotation.transpose();
+      right.middleRows(first, d) = rows.root_beta * (factor * nearest.rotation - motion.turn).transpose();
     }
     return ambiguous;
   }
 
-  double energy(const Matrix<R>& solution, const Matrix<R>& right) const {
-    const auto found = static_cast<double>(R((rows.matrix * solution - right).squaredNorm()));
+  double energy(const Matrix<R>& made, const Matrix<R>& right) const {
+    const auto found = static_cast<double>(R((made - right).squaredNorm()));
     if (!std::isfinite(found))
       throw ConstraintError("the constraints' targets are too large: the energy is not finite");
     return found;
   }
 
-  // The energy of a map that misses its targets by so many roundings of them.
-  static double energy_of_roundings(double count, const Matrix<R>& right) {
+  // The energy of a map that misses its targets, as seen from the cage, by so many roundings of them.
+  double energy_of_roundings(double count, const std::vector<Vec3<double>>& positions) const {
+    R sum = R(options.beta) * R(dimension() * static_cast<double>(constraints.rotations.size()));
+    for (const Vec3<double>& to : positions) sum += (convert<R>(to) - convert<R>(place)).squaredNorm();
+    for (const auto& [at, jacobian] : constraints.orientations) sum += R(options.alpha) * R(jacobian.squaredNorm());
     const R rounding = R(count) * unit_roundoff<R>();
-    return static_cast<double>(R(rounding * rounding * right.squaredNorm()));
+    return static_cast<double>(R(rounding * rounding * sum));
   }
 
-  std::unique_ptr<const Posed<R>> posed(const Matrix<R>& solution, DeformationReport report) const {
-    const Matrix<R> coefficients = rows.units.asDiagonal() * solution;
+  // The motion, and the solution on top of it.
+  std::unique_ptr<const Posed<R>> posed(const Matrix<R>& solution, const Motion<R>& motion,
+                                        DeformationReport report) const {
+    const Matrix<R> coefficients = motion.turned(rest) + rows.units.asDiagonal() * solution;
     std::vector<Matrix<R>> data;
     Eigen::Index first = 0;
     for (const CoordinateBlock& block : coordinates.blocks()) {
       data.emplace_back(coefficients.middleRows(first, block.size));
       first += block.size;
     }
-    return shifted<R>(std::make_unique<LinearPosed<R>>(std::move(data), std::move(report)), place, dimension());
+    return shifted<R>(std::make_unique<LinearPosed<R>>(std::move(data), std::move(report)), motion.to, dimension());
+  }
+
+  // The identity, on top of the motion.
+  Matrix<R> rest_from(const Motion<R>& motion) const {
+    const auto vertices = static_cast<Eigen::Index>(coordinates.elements().vertices().size());
+    Matrix<R> found = rest - motion.turned(rest);
+    const Vec3<R> shift = convert<R>(motion.from) - convert<R>(motion.to);
+    found.topRows(vertices).rowwise() += shift.head(dimension()).transpose();
+    for (Eigen::Index k = 0; k < found.rows(); ++k) found.row(k) /= rows.units[k];
+    return found;
   }
 
   std::unique_ptr<const Posed<R>> run(const std::vector<Vec3<double>>& positions, const StepWatcher& watch) const {
-    Matrix<R> right = targets(positions), solution = rest;
+    const Motion<R> motion = nearest_motion<R>(constraints, positions, place, size, dimension());
+    Matrix<R> right = targets(positions, motion), solution = rest_from(motion), made = identity(motion);
     DeformationReport report;
     report.warnings = warnings();
     double decrease = 0;
     // Without rotations the problem is linear, and the first step solves it.
     const bool linear = constraints.rotations.empty() || options.beta == 0;
+    const Matrix<R> nothing = Matrix<R>::Zero(rows.matrix.cols(), dimension());
+    // Rows of rotations are zero still: the motion's own.
+    const bool is_motion =
+        energy(Matrix<R>::Zero(made.rows(), made.cols()), right) <= energy_of_roundings(8, positions);
     bool converged = false, told = false;
     for (int step = 1; step <= (linear ? 1 : options.steps); ++step) {
-      if (const auto ambiguous = turn(solution, right); ambiguous && !told) {
+      if (const auto ambiguous = turn(made, motion, right); ambiguous && !told) {
         report.warnings.push_back(
             fmt::format("rotations[{}]: the nearest rotation is not unique in step {}", *ambiguous, step));
         told = true;
       }
-      report.energies.push_back(energy(solution, right));
-      Matrix<R> next = factors.solve(right);
-      const double after = energy(next, right);
+      report.energies.push_back(energy(made, right));
+      if (is_motion) right.middleRows(rows.rotations, rows.hessians - rows.rotations).setZero();
+      Matrix<R> next = is_motion ? nothing : factors.solve(right), makes = rows.matrix * next;
+      const double after = energy(makes, right);
       // The least cannot be more than what there was, but by the rounding of what is asked for.
-      if (after > report.energies.back() * (1 + 1e-9) + energy_of_roundings(1e4, right)) {
+      if (after > report.energies.back() * (1 + 1e-9) + energy_of_roundings(1e4, positions)) {
         report.warnings.push_back(
             fmt::format("step {} would raise the energy from {:.2g} to {:.2g}: the weights are too uneven for the "
                         "precision, and the map is the one before it",
@@ -149,13 +198,15 @@ struct Variational<R>::Prepared {
         break;
       }
       solution = std::move(next);
+      made = std::move(makes);
       report.energies.push_back(after);
       if (watch) watch(step, report.energies.back());
       // From global step to global step; the first one has its own local step before it.
       const double before = report.energies[report.energies.size() - (step == 1 ? 2 : 3)];
       decrease = before > 0 ? 1 - report.energies.back() / before : 0;
-      converged = linear || !(decrease > options.tolerance) || report.energies.back() <= energy_of_roundings(8, right);
-      if (converged && options.tolerance > 0) break;
+      converged = linear || is_motion || !(decrease > options.tolerance) ||
+                  report.energies.back() <= energy_of_roundings(8, positions);
+      if (converged && (options.tolerance > 0 || is_motion)) break;
     }
     const std::size_t steps = report.energies.size() / 2;
     if (!converged)
@@ -165,7 +216,7 @@ struct Variational<R>::Prepared {
     report.figures = {{"energy", report.energies.back()},
                       {"steps", static_cast<double>(steps)},
                       {"last relative decrease", decrease}};
-    return posed(solution, std::move(report));
+    return posed(solution, motion, std::move(report));
   }
 
   Constraints constraints;
@@ -173,8 +224,9 @@ struct Variational<R>::Prepared {
   CageCoordinates coordinates;
   ConstraintRows<R> rows;
   LeastSquares<R> factors;                    ///< of the rows' matrix
-  Vec3<double> place = Vec3<double>::Zero();  ///< what all is solved from, next to the cage; least coefficients, too
-  Matrix<R> rest;                             ///< the identity's coefficients from there, in units
+  Vec3<double> place = Vec3<double>::Zero();  ///< next to the cage
+  double size = 0;
+  Matrix<R> rest;  ///< the identity's coefficients from there
 };
 
 template <Scalar R>
