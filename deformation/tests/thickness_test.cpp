@@ -4,6 +4,7 @@
 #include "plane/thickness.h"
 
 #include "support.h"
+#include "constraint_checks.h"
 #include "thickness_loops.h"
 
 #include "cageproof/core/input_error.h"
@@ -188,6 +189,69 @@ TEST(thickness, does_not_depend_on_the_unit) {
   };
   const Vec here = image_in(1);
   for (const double s : {1e-80, 1e-6, 1e8}) EXPECT_LT((image_in(s) - here).norm(), 1e-9) << s;
+}
+
+// A hexagon with a corner cut off by an edge of that length.
+Cage cut_hexagon(double edge) {
+  const double half = std::sqrt(3) / 2;
+  const std::vector<Vec> vertices{{1, 0, 0},
+                                  {.5, half, 0},
+                                  {-.5, half, 0},
+                                  {-1, 0, 0},
+                                  {-.5, -half, 0},
+                                  {.5, -half, 0},
+                                  {.5 + .5 * edge, half * (edge - 1), 0}};
+  std::vector<Face> segments;
+  segments.reserve(7);
+  for (int k = 0; k < 7; ++k) segments.push_back({{k, (k + 1) % 7, -1, -1}});
+  return Cage::make_polygon("cut hexagon", vertices, segments, {});
+}
+
+const std::vector<Vec> in_hexagon{{0, 0, 0}, {.5, .25, 0}, {-.375, .375, 0}};
+
+Constraints moved_in_hexagon(double angle, const Vec& shift) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vec::UnitZ()).toRotationMatrix();
+  Constraints constraints;
+  for (const Vec& at : in_hexagon) constraints.positions.push_back({at, turn * at + shift});
+  return constraints;
+}
+
+// Second derivatives at an edge are as large as it is short, squared: steps from rest did not come to an end.
+TEST(thickness, rigid_motions_are_kept_next_to_short_edges) {
+  for (const double edge : {1e-2, 1e-4}) {
+    const Cage cage = cut_hexagon(edge);
+    const Thickness<double> model(cage, moved_in_hexagon(0, {0, 0, 0}));
+    const std::vector<Vec> points{{.1, .2, 0}, {-.7, .1, 0}, {.5 + .2 * edge, edge - std::sqrt(3) / 2, 0}};
+    for (const auto& [angle, shift] : {std::pair{0., Vec(0, 0, 0)}, std::pair{2.2, Vec(0, 0, 0)},
+                                       std::pair{0., Vec(2e3, -1400, 0)}, std::pair{0., Vec(2e6, -1.4e6, 0)}}) {
+      const Constraints constraints = moved_in_hexagon(angle, shift);
+      const auto posed = model.pose_to(targets_of(constraints));
+      EXPECT_EQ(figure(posed->report(), "converged"), 1) << edge;
+      const Images<double> images = model.images(*posed, std::span(points), 0);
+      const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vec::UnitZ()).toRotationMatrix();
+      for (std::size_t p = 0; p < points.size(); ++p)
+        EXPECT_LT((image(images, p, 2) - (turn * points[p] + shift)).norm(), 1e-12 + 4e-16 * shift.norm())
+            << edge << ' ' << angle << ' ' << shift[0] << ' ' << p;
+    }
+  }
+}
+
+// Bent poses next to a short edge take more digits than double has, which users get.
+TEST(thickness, solves_in_50_digits_next_to_short_edges) {
+  const ConstraintMethod& method = *find_constraint_method("thickness");
+  Constraints bent = moved_in_hexagon(0, {0, 0, 0});
+  bent.positions[0].to = {.05, -.1, 0};
+  const auto model = prepare_constrained(method, cut_hexagon(1e-3), bent, {});
+  EXPECT_EQ(figure(model->prepared(), "digits of systems"), 50);
+  const auto posed = model->pose();
+  EXPECT_EQ(figure(posed->report(), "converged"), 1);
+  const auto short_edged = prepare_constrained(method, cut_hexagon(.1), bent, {});
+  EXPECT_TRUE(std::ranges::none_of(short_edged->prepared().figures, [](const auto& f) { return f.first[0] == 'd'; }));
+  // Stationary, by derivatives that explicit sums make at points next to the samples.
+  const ThicknessLoops loops(model->coordinates(), bent, kSamples);
+  Eigen::VectorXd f(14);
+  for (int v = 0; v < 7; ++v) f.segment(2 * v, 2) = posed->vertices()[v].head(2);
+  EXPECT_LT(loops.misfit(f).norm(), 1e-11);
 }
 
 TEST(thickness, reports) {

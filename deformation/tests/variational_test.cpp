@@ -130,6 +130,42 @@ TEST(variational, rigid_targets_are_met) {
   }
 }
 
+// A face of 1e-5 has basis functions that hardly reach the constraints: what is solved for is rounded there.
+TEST(variational, rigid_motions_are_kept_next_to_small_faces) {
+  const Cage cage = embedded_cage("bevel-1e-5");
+  const std::vector<Vec> inside{
+      {.25, .25, .25}, {.5, .125, .125}, {.125, .5, .125}, {.125, .125, .5}, {.0625, .0625, .25}},
+      points{{.3, .2, .25}, {2e-5, 1e-5, 1e-5}, {1e-5, 1e-5, 1e-3}};
+  for (const auto& [angle, shift] : {std::pair{0., Vec(0, 0, 0)}, std::pair{.8, Vec(0, 0, 0)},
+                                     std::pair{0., Vec(1e3, -700, 400)}, std::pair{.8, Vec(1e6, -7e5, 4e5)}}) {
+    const Mat turn = Eigen::AngleAxisd(angle, Vec(1, 2, 3).normalized()).toRotationMatrix();
+    Constraints constraints;
+    for (const Vec& at : inside) constraints.positions.push_back({at, turn * at + shift});
+    constraints.rotations = {{.2, .2, .2}, {.1, .1, .4}};
+    for (int k = 0; k < 12; ++k) constraints.hessians.emplace_back(.1 + .02 * k, .3 - .02 * k, .2);
+    for (const Subspace subspace : {Subspace::Harmonic, Subspace::Biharmonic}) {
+      const Variational<double> model(cage, constraints, bar_options(subspace, 100));
+      const auto posed = model.pose();
+      const Images<double> images = model.images(*posed, points, 0);
+      for (std::size_t p = 0; p < points.size(); ++p)
+        EXPECT_LT((image(images, p) - (turn * points[p] + shift)).norm(), 1e-14 + 4e-16 * shift.norm())
+            << angle << ' ' << shift[0] << ' ' << p;
+    }
+  }
+}
+
+// Few constraints leave most of the map open: it stays next to the motion that they ask for.
+TEST(variational, few_positions_move_all) {
+  const Case c = bar();
+  const Vec shift(.3, -.2, 1);
+  const Constraints one{.positions = {{{.1, .2, .3}, Vec(.1, .2, .3) + shift}}};
+  const Variational<double> model(c.cage, one);
+  const auto posed = model.pose();
+  EXPECT_TRUE(warns_of(posed->report(), "the map next to a rigid motion is taken"));
+  const Images<double> images = model.images(*posed, c.points, 0);
+  for (std::size_t p = 0; p < c.points.size(); ++p) EXPECT_LT((image(images, p) - (c.points[p] + shift)).norm(), 1e-14);
+}
+
 // Without rotations the problem is linear, and affine maps of all constraints have no energy.
 TEST(variational, affine_targets_are_met_at_once_without_rotations) {
   const Case c = bar();
@@ -208,22 +244,22 @@ TEST(variational, unit_of_length_of_few_constraints) {
   }
 }
 
-// Rows so heavy that double drops the others: the map before is kept, and it is said.
+// Rows so heavy that double drops the others: the motion next to the targets is left.
 TEST(variational, weights_that_are_too_uneven_do_not_raise_the_energy) {
   const Case c = bar();
   Constraints rest = bar_constraints(c.cage);
   for (auto& position : rest.positions) position.to = position.at;
+  // No rigid motion, which would need no solution.
+  rest.positions[0].to[0] += 1e-3;
   for (const double gamma : {1e23, 1e26}) {
     VariationalOptions options = bar_options(Subspace::Biharmonic, 20);
     options.gamma = gamma;
-    const Variational<double> model(c.cage, rest, options);
-    const auto posed = model.pose();
+    const auto posed = Variational<double>(c.cage, rest, options).pose();
     const std::vector<double>& energies = posed->report().energies;
-    for (std::size_t k = 1; k < energies.size(); ++k) EXPECT_LE(energies[k], energies[k - 1]) << gamma << ' ' << k;
-    EXPECT_LT((image(model.images(*posed, std::span(c.points), 0), 0) - c.points[0]).norm(), 1e-12) << gamma;
-    EXPECT_TRUE(std::ranges::any_of(posed->report().warnings, [](const std::string& w) {
-      return w.find("too uneven") != std::string::npos;
-    })) << gamma;
+    for (std::size_t k = 1; k < energies.size(); ++k)
+      EXPECT_LE(energies[k], energies[k - 1] * (1 + 1e-9)) << gamma << ' ' << k;
+    const Variational<double> model(c.cage, rest, options);
+    EXPECT_LT((image(model.images(*posed, std::span(c.points), 0), 0) - c.points[0]).norm(), 1e-3) << gamma;
   }
 }
 

@@ -2,6 +2,7 @@
 #include "thickness.h"
 
 #include "../constraint_checks.h"
+#include "../nearest_motion.h"
 #include "../own_place.h"
 #include "gauss_newton.h"
 #include "posed_cage.h"
@@ -45,6 +46,19 @@ std::vector<Vec3<R>> seen_from_place(const std::vector<Vec3<double>>& points, co
   return found;
 }
 
+std::vector<Vec3<double>> places_of(const Constraints& constraints) {
+  std::vector<Vec3<double>> places;
+  places.reserve(constraints.positions.size());
+  for (const Constraints::Position& position : constraints.positions) places.push_back(position.at);
+  return places;
+}
+
+double largest_coordinate_of(const std::vector<Vec3<double>>& points) {
+  double largest = 0;
+  for (const Vec3<double>& p : points) largest = std::max(largest, p.head(2).cwiseAbs().maxCoeff());
+  return largest;
+}
+
 // The other way round, Eigen's columns are components: numbers in the order of jacobian's rows and columns.
 template <Scalar R>
 Matrix<R> in_line(const Matrix<R>& points) {
@@ -64,10 +78,11 @@ struct Thickness<R>::Prepared {
         thickness(thickness_rows<R>(coordinates, options.samples)),
         at_positions(position_rows<R>(coordinates, constraints.positions)),
         place(own_place(coordinates.elements().vertices())),
-        rest(rows_of(seen_from_place<R>(coordinates.elements().vertices(), place), 2)) {
+        rest(rows_of(seen_from_place<R>(coordinates.elements().vertices(), place), 2)),
+        at(rows_of(seen_from_place<R>(places_of(constraints), place), 2)),
+        at_rest(normals_at<R>(coordinates.elements(), rest, Matrix<R>::Zero(rest.rows(), 2))) {
     report = report_on(coordinates);
-    const NormalsAt<R> normals = normals_at<R>(coordinates.elements(), rest);
-    const Matrix<R> k = jacobian(at_positions, normals), j = jacobian(thickness, normals);
+    const Matrix<R> k = jacobian(at_positions, at_rest), j = jacobian(thickness, at_rest);
     const GaussNewtonStep<R> there = gauss_newton<R>(Matrix<R>::Zero(j.rows(), 1), j, Matrix<R>::Zero(k.rows(), 1), k);
     if (there.rank < k.rows())
       report.warnings.push_back(
@@ -76,7 +91,7 @@ struct Thickness<R>::Prepared {
                       there.rank, k.rows()));
     Matrix<R> together(j.rows() + k.rows(), j.cols());
     together << R(size) * R(size) * j, k;
-    const auto rank = static_cast<int>(LeastSquares<R>(together).rank());
+    const auto rank = static_cast<int>(least_squares<R>(together, Matrix<R>::Zero(together.rows(), 1)).second);
     report.systems.push_back(describe<R>("positions and thickness, at rest", together, rank,
                                          Matrix<R>::Zero(together.rows(), 1), Matrix<R>::Zero(together.cols(), 1)));
     if (rank < together.cols())
@@ -84,26 +99,23 @@ struct Thickness<R>::Prepared {
                                             together.cols() - rank, together.cols()));
   }
 
-  // f(at) - to, in line.
-  Matrix<R> misfit(const Matrix<R>& vertices, const Matrix<R>& normals, const Matrix<R>& targets) const {
-    return in_line<R>(at_positions.at(vertices, normals) - targets);
-  }
-  Matrix<R> bending(const Matrix<R>& vertices, const Matrix<R>& normals) const {
-    return in_line<R>(thickness.at(vertices, normals));
-  }
-
+  // A pose as what its vertices and normals have more than those at rest, where f is the identity: it does not bend,
+  // and leaves positions where they are. Sums for it would be rounded by parts of second derivatives, which are large
+  // at short edges.
   struct State {
-    Matrix<R> vertices;
+    Matrix<R> moved;
     NormalsAt<R> normals;
     Matrix<R> bending, misfit;
 
     R energy() const { return bending.squaredNorm(); }
     R merit(const R& weight) const { return energy() + weight * misfit.norm(); }
+    R missed() const { return misfit.cwiseAbs().maxCoeff(); }
   };
-  State state(const Matrix<R>& vertices, const Matrix<R>& targets) const {
-    State found{vertices, normals_at<R>(coordinates.elements(), vertices), {}, {}};
-    found.bending = bending(vertices, found.normals.normals);
-    found.misfit = misfit(vertices, found.normals.normals, targets);
+  State state(const Matrix<R>& moved, const Matrix<R>& targets) const {
+    State found{moved, normals_at<R>(coordinates.elements(), rest, moved), {}, {}};
+    const Matrix<R> turned = found.normals.normals - at_rest.normals;
+    found.bending = in_line<R>(thickness.at(moved, turned));
+    found.misfit = in_line<R>(at_positions.at(moved, turned) - (targets - at));
     if (!std::isfinite(static_cast<double>(found.merit(R(0)))) || !found.misfit.allFinite())
       throw ConstraintError("the targets are too large: the energy is not finite");
     return found;
@@ -119,11 +131,16 @@ struct Thickness<R>::Prepared {
     R wanted = R(0);                   ///< a weight that the constraints' multipliers ask for, where this one is less
   };
 
-  Run run(const Matrix<R>& targets, const R& weight, const StepWatcher& watch) const {
-    const R rounding = R(8192) * unit_roundoff<R>();
-    Run run{state(rest, targets)};
+  // 8192 roundings of double, which poses are wanted to in 50 digits, too.
+  static constexpr double rounding = 0x1p-40;
+
+  // \param rounded how far targets may be off by rounding
+  Run run(const Matrix<R>& targets, const R& weight, double rounded, const StepWatcher& watch) const {
+    Run run{state(Matrix<R>::Zero(rest.rows(), 2), targets)};
     run.merits.push_back(static_cast<double>(run.last.merit(weight)));
     run.energies.push_back(static_cast<double>(run.last.energy()));
+    // Nothing bends less than rest does.
+    run.converged = run.last.missed() <= R(rounded);
     while (run.steps < options.steps && !run.converged) {
       const Matrix<R> j = jacobian(thickness, run.last.normals), k = jacobian(at_positions, run.last.normals);
       const GaussNewtonStep<R> next = gauss_newton<R>(run.last.bending, j, run.last.misfit, k);
@@ -135,18 +152,23 @@ struct Thickness<R>::Prepared {
       run.change = next.step.cwiseAbs().maxCoeff();
       run.gradient = next.projected_gradient;
       // The gradient is 2 J^T g, and g, which F makes, is rounded.
-      const R of_gradient = rounding * j.norm() * (run.last.bending.norm() + j.norm() * R(size));
-      run.converged = run.change <= rounding * R(size) && next.projected_gradient <= of_gradient &&
-                      run.last.misfit.cwiseAbs().maxCoeff() <= rounding * R(size);
-      const R merit = run.last.merit(weight);
+      const R of_gradient = R(rounding) * j.norm() * (run.last.bending.norm() + j.norm() * R(size));
+      const bool meets = run.last.missed() <= R(rounding) * R(size);
+      run.converged = meets && run.change <= R(rounding) * R(size) && next.projected_gradient <= of_gradient;
+      const R merit = run.last.merit(weight), most = merit * (1 + 64 * unit_roundoff<R>());
       R part = 1;
-      State there = state(run.last.vertices + next.step.reshaped(2, rest.rows()).transpose(), targets);
-      while (!run.converged && part > R(1e-9) && there.merit(weight) > merit * (1 + 64 * unit_roundoff<R>())) {
+      const Matrix<R> step = next.step.reshaped(2, rest.rows()).transpose();
+      State there = state(run.last.moved + step, targets);
+      while (!run.converged && part > R(1e-9) && there.merit(weight) > most) {
         part /= 2;
-        there = state(run.last.vertices + part * next.step.reshaped(2, rest.rows()).transpose(), targets);
+        there = state(run.last.moved + part * step, targets);
       }
-      // No part of the step lowers the merit: rounding is all that is left, or the step is of no use.
-      if (!run.converged && there.merit(weight) > merit * (1 + 64 * unit_roundoff<R>())) break;
+      // No part of the step lowers the merit. Next to a minimum, whose distance a merit shows only by its square,
+      // rounding is all that is left; elsewhere the step is of no use.
+      if (!run.converged && there.merit(weight) > most) {
+        run.converged = meets && run.change <= R(std::sqrt(rounding)) * R(size);
+        break;
+      }
       run.last = std::move(there);
       ++run.steps;
       run.merits.push_back(static_cast<double>(run.last.merit(weight)));
@@ -158,29 +180,46 @@ struct Thickness<R>::Prepared {
     return run;
   }
 
-  std::unique_ptr<const Posed<R>> posed_to(const std::vector<Vec3<double>>& targets, const StepWatcher& watch) const {
-    const Matrix<R> rows = rows_of(seen_from_place<R>(targets, place), 2);
+  // Why the last pose is no solution.
+  std::string why_unsolved(const Run& run) const {
+    const auto missed = static_cast<double>(run.last.missed()), change = static_cast<double>(run.change);
+    std::string text = fmt::format(
+        "not converged after {} steps: the last changed vertices by {:.2g}, positions are missed by {:.2g}, the "
+        "projected gradient is {:.2g}",
+        run.steps, change, missed, static_cast<double>(run.gradient));
+    if (run.steps == options.steps) return text + "; more steps may do, or targets nearer to a rigid motion";
+    if (missed > rounding * size)
+      return text + "; no pose was found that meets all positions: leave some out, or move them less";
+    return text + "; roundings hide where the energy falls: the cage's edges differ too much in length";
+  }
+
+  template <Scalar To>
+  std::unique_ptr<const Posed<To>> posed_to(const std::vector<Vec3<double>>& targets, const StepWatcher& watch) const {
+    // The energy knows no rigid motions. Seen from the one that is nearest to the targets, steps are as short as they
+    // can be, and a motion itself takes none.
+    const Motion<R> motion = nearest_motion<R>(constraints, targets, place, size, 2);
+    const Matrix<R> rows = motion.turned_back(rows_of(seen_from_place<R>(targets, motion.to), 2));
+    const double rounded = 8 * unit_roundoff<double>() *
+                           std::max(largest_coordinate_of(targets), largest_coordinate_of(places_of(constraints)));
     // Begins anew whenever the weight has to grow, so that merits of one weight are compared.
-    Run found = run(rows, R(1) / R(size) / R(size) / R(size), watch);
-    for (int again = 0; again < 60 && found.wanted > 0; ++again) found = run(rows, R(found.wanted), watch);
+    Run found = run(rows, R(1) / R(size) / R(size) / R(size), rounded, watch);
+    for (int again = 0; again < 60 && found.wanted > 0; ++again) found = run(rows, R(found.wanted), rounded, watch);
     DeformationReport said;
-    const R misfit = found.last.misfit.cwiseAbs().maxCoeff();
-    if (!found.converged)
-      said.warnings.push_back(fmt::format(
-          "not converged after {} steps: the last changed vertices by {:.2g}, positions are missed by {:.2g}, the "
-          "projected gradient is {:.2g}",
-          found.steps, static_cast<double>(found.change), static_cast<double>(misfit),
-          static_cast<double>(found.gradient)));
+    if (!found.converged) said.warnings.push_back(why_unsolved(found));
     const auto energy = static_cast<double>(found.last.energy());
     said.figures = {{"energy", energy},
                     {"energy a sample", energy / static_cast<double>(thickness.of_vertices.rows())},
                     {"steps", found.steps},
-                    {"constraint misfit", static_cast<double>(misfit)},
-                    {"projected gradient", static_cast<double>(found.gradient)}};
+                    {"constraint misfit", static_cast<double>(found.last.missed())},
+                    {"projected gradient", static_cast<double>(found.gradient)},
+                    {"converged", found.converged ? 1 : 0}};
     said.energies = std::move(found.energies);
     said.merits = std::move(found.merits);
-    return shifted<R>(std::make_unique<PosedCage<R>>(found.last.vertices, found.last.normals.normals, std::move(said)),
-                      place, 2);
+    const Matrix<R> vertices = motion.turned(rest + found.last.moved),
+                    normals = motion.turned(found.last.normals.normals);
+    return shifted<To>(
+        std::make_unique<PosedCage<To>>(vertices.template cast<To>(), normals.template cast<To>(), std::move(said)),
+        motion.to, 2);
   }
 
   Constraints constraints;
@@ -189,7 +228,8 @@ struct Thickness<R>::Prepared {
   CageCoordinates coordinates;
   BoundaryRows<R> thickness, at_positions;
   Vec3<double> place;  ///< what all is solved from, so that misfits are rounded by parts of the cage
-  Matrix<R> rest;      ///< from there
+  Matrix<R> rest, at;  ///< vertices and positions, from there
+  NormalsAt<R> at_rest;
   DeformationReport report;
 };
 
@@ -208,18 +248,27 @@ DeformationReport Thickness<R>::prepared() const {
 }
 
 template <Scalar R>
+template <Scalar To>
+std::unique_ptr<const Posed<To>> Thickness<R>::pose_in(const std::vector<Vec3<double>>& targets,
+                                                       const StepWatcher& watch) const {
+  check_targets(targets, prepared_->constraints, 2);
+  return prepared_->template posed_to<To>(targets, watch);
+}
+
+template <Scalar R>
 std::unique_ptr<const Posed<R>> Thickness<R>::pose(const StepWatcher& watch) const {
-  return prepared_->posed_to(targets_of(prepared_->constraints), watch);
+  return pose_to(targets_of(prepared_->constraints), watch);
 }
 
 template <Scalar R>
 std::unique_ptr<const Posed<R>> Thickness<R>::pose_to(const std::vector<Vec3<double>>& targets,
                                                       const StepWatcher& watch) const {
-  check_targets(targets, prepared_->constraints, 2);
-  return prepared_->posed_to(targets, watch);
+  return pose_in<R>(targets, watch);
 }
 
 template class Thickness<double>;
 template class Thickness<Mp50>;
+template std::unique_ptr<const Posed<double>> Thickness<Mp50>::pose_in<double>(const std::vector<Vec3<double>>&,
+                                                                               const StepWatcher&) const;
 
 }  // namespace cageproof::deformation

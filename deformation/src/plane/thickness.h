@@ -17,10 +17,10 @@ struct ThicknessOptions {
 /// The posed vertices F that make
 ///     E = sum over samples on the cage's edges of |d^2 f / dn^2|^2,   n the rest normal,
 /// least subject to f(at) = to, for f = alpha F + beta n'(F) with the posed edges' outward unit normals n' ([W12] Eq
-/// 22, as a sum). By Gauss-Newton steps from the rest pose, each the least of the linearised energy among those that
-/// meet the linearised constraints, and as long as lowers the merit E + weight |f(at) - to|. The energy is no convex
-/// function of F; the minimum need not be the global one. It has no limit as samples refine. R: double or Mp50. Safe
-/// from any thread.
+/// 22, as a sum). By Gauss-Newton steps from the rigid motion nearest to the targets, each the least of the linearised
+/// energy among those that meet the linearised constraints, and as long as lowers the merit E + weight |f(at) - to|.
+/// The energy is no convex function of F; the minimum need not be the global one. It has no limit as samples refine. R:
+/// double or Mp50. Safe from any thread.
 template <Scalar R>
 class Thickness final : public ConstrainedDeformer<R> {
  public:
@@ -33,16 +33,21 @@ class Thickness final : public ConstrainedDeformer<R> {
   const CageCoordinates& coordinates() const override;
   DeformationReport prepared() const override;
 
-  /// Posed::vertices has the posed cage F. The report has E of the rest pose and after each step in `energies`, and the
-  /// merit in `merits`, all with one weight, which does not rise; as figures "energy", "energy a sample", "steps",
-  /// "constraint misfit" (the largest |f(at) - to|) and "projected gradient" (of E along the constraints, its largest
-  /// number, per length). It warns where misfit, step and projected gradient are not down to rounding in the end; in 50
-  /// digits that takes several times as many steps. Where the weight turns out to be less than the constraints'
-  /// multipliers, steps begin anew with a larger one, from the rest pose and number 1 on. What is watched is E. \throws
-  /// InputError for targets for which an edge of the posed cage shrinks to nothing
+  /// Posed::vertices has the posed cage F. The report has E of the rigid motion, which is 0, and after each step in
+  /// `energies`, and the merit in `merits`, all with one weight, which does not rise; as figures "energy", "energy a
+  /// sample", "steps" (0 where the motion meets the targets as well as they are rounded), "constraint misfit" (the
+  /// largest |f(at) - to|), "projected gradient" (of E along the constraints, its largest number, per length) and
+  /// "converged": 0, with a warning as the last, where misfit, step and projected gradient are not down to double's
+  /// rounding in the end.
+  /// Where the weight turns out to be less than the constraints' multipliers, steps begin anew with a larger one, from
+  /// the motion and number 1 on. What is watched is E. \throws InputError for targets for which an edge of the posed
+  /// cage shrinks to nothing
   std::unique_ptr<const Posed<R>> pose(const StepWatcher& watch = {}) const override;
   std::unique_ptr<const Posed<R>> pose_to(const std::vector<Vec3<double>>& targets,
                                           const StepWatcher& watch = {}) const override;
+  /// pose_to, with images in another scalar. To: R, or double
+  template <Scalar To>
+  std::unique_ptr<const Posed<To>> pose_in(const std::vector<Vec3<double>>& targets, const StepWatcher& watch) const;
 
  private:
   struct Prepared;

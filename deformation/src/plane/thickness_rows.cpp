@@ -62,13 +62,16 @@ BoundaryRows<R> position_rows(const CageCoordinates& coordinates, const std::vec
 }
 
 template <Scalar R>
-NormalsAt<R> normals_at(const CageElements& rest, const Matrix<R>& vertices) {
+NormalsAt<R> normals_at(const CageElements& rest, const Matrix<R>& from, const Matrix<R>& moved) {
   using std::hypot;
   const auto edges = static_cast<Eigen::Index>(rest.count());
-  NormalsAt<R> found{Matrix<R>(edges, 2), Matrix<R>::Zero(2 * edges, 2 * vertices.rows())};
+  NormalsAt<R> found{Matrix<R>(edges, 2), Matrix<R>::Zero(2 * edges, 2 * from.rows())};
   for (Eigen::Index e = 0; e < edges; ++e) {
     const auto ends = rest.vertices_of(static_cast<std::size_t>(e));
-    const R x = vertices(ends[1], 0) - vertices(ends[0], 0), y = vertices(ends[1], 1) - vertices(ends[0], 1);
+    const auto step = [&](int c) {
+      return R((from(ends[1], c) - from(ends[0], c)) + (moved(ends[1], c) - moved(ends[0], c)));
+    };
+    const R x = step(0), y = step(1);
     const R length = hypot(x, y);
     if (!(length > 0))
       throw InputError(
@@ -105,7 +108,7 @@ Matrix<R> jacobian(const BoundaryRows<R>& rows, const NormalsAt<R>& normals) {
 #define CAGEPROOF_INSTANTIATE(R)                                                                                \
   template BoundaryRows<R> thickness_rows<R>(const CageCoordinates&, int);                                      \
   template BoundaryRows<R> position_rows<R>(const CageCoordinates&, const std::vector<Constraints::Position>&); \
-  template NormalsAt<R> normals_at<R>(const CageElements&, const Matrix<R>&);                                   \
+  template NormalsAt<R> normals_at<R>(const CageElements&, const Matrix<R>&, const Matrix<R>&);                 \
   template Matrix<R> jacobian<R>(const BoundaryRows<R>&, const NormalsAt<R>&);
 CAGEPROOF_INSTANTIATE(double)
 CAGEPROOF_INSTANTIATE(Mp50)

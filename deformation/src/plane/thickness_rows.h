@@ -26,16 +26,17 @@ BoundaryRows<R> thickness_rows(const CageCoordinates& coordinates, int samples_a
 template <Scalar R>
 BoundaryRows<R> position_rows(const CageCoordinates& coordinates, const std::vector<Constraints::Position>& positions);
 
-/// The posed edges' unit normals at F, one row per edge, and their derivatives: row 2 e + a, column 2 v + b of
+/// The posed edges' unit normals, one row per edge, and their derivatives by F: row 2 e + a, column 2 v + b of
 /// `derivative` is that of component a of edge e's by component b of vertex v.
 template <Scalar R>
 struct NormalsAt {
   Matrix<R> normals, derivative;
 };
 
-/// \throws InputError for an edge without length
+/// \param from vertices at rest, one row each \param moved what F has more: edges that are short next to their distance
+/// from the origin keep their digits so \throws InputError for an edge without length
 template <Scalar R>
-NormalsAt<R> normals_at(const CageElements& rest, const Matrix<R>& vertices);
+NormalsAt<R> normals_at(const CageElements& rest, const Matrix<R>& from, const Matrix<R>& moved);
 
 /// The derivative of BoundaryRows::at by F: row 2 r + a, column 2 v + b.
 template <Scalar R>

@@ -2,8 +2,9 @@
 #include "variational.h"
 
 #include "../constraint_checks.h"
+#include "../linear_posed.h"
 #include "../matrix_posed.h"
-#include "../nearest_rotation.h"
+#include "../nearest_motion.h"
 #include "../own_place.h"
 #include "../somigliana/pole.h"
 #include "constraint_rows.h"
@@ -51,15 +52,16 @@ struct Variational<R>::Prepared {
     const CageElements& elements = coordinates.elements();
     const std::vector<Vec3<R>> vertices = vertices_in<R>(elements);
     place = own_place(elements.vertices());
-    Matrix<R> at_rest = Matrix<R>::Zero(rows.units.size(), dimension());
-    at_rest.topRows(static_cast<Eigen::Index>(vertices.size())) =
+    size = cage.size();
+    rest = Matrix<R>::Zero(rows.units.size(), dimension());
+    rest.topRows(static_cast<Eigen::Index>(vertices.size())) =
         rows_of(vertices, dimension()).rowwise() - convert<R>(place).head(dimension()).transpose();
-    at_rest.middleRows(static_cast<Eigen::Index>(vertices.size()), static_cast<Eigen::Index>(elements.count())) =
+    rest.middleRows(static_cast<Eigen::Index>(vertices.size()), static_cast<Eigen::Index>(elements.count())) =
         R(coordinates.blocks()[1].normal_factor) *
         rows_of(stretched_normals(Stretch::Unit, elements, vertices), dimension());
-    for (Eigen::Index k = 0; k < at_rest.rows(); ++k) at_rest.row(k) /= rows.units[k];
-    rest = rows.stacked(at_rest);
   }
+
+  using Turn = SpaceMatrix<R>;
 
   int dimension() const { return coordinates.dimension(); }
   SolvedSystem described(const Matrix<R>& right, const Matrix<R>& solution) const {
@@ -67,68 +69,101 @@ struct Variational<R>::Prepared {
   }
   Eigen::Index free_unknowns() const { return rows.matrix.cols() - factors.rank(); }
 
-  // Elastic maps are displacements from rest, so that the least of them keep the identity.
-  Matrix<R> solved(const Matrix<R>& right) const {
-    if (options.subspace != Subspace::Elastic) return factors.solve(right);
-    return rest + factors.solve(right - rows.matrix * rest);
-  }
-
   std::vector<std::string> warnings() const {
     std::vector<std::string> all;
     if (options.subspace == Subspace::Elastic) warn_of_pole(options.nu, all);
     if (constraints.positions.empty()) all.emplace_back("there is no positional constraint: translations are free");
     if (free_unknowns() > 0)
-      all.push_back(fmt::format("the constraints leave {} of {} unknowns free: the solution of least norm is taken",
-                                free_unknowns(), rows.matrix.cols()));
+      all.push_back(fmt::format("the constraints leave {} of {} unknowns free: the map next to {} is taken",
+                                free_unknowns(), rows.matrix.cols(),
+                                options.subspace == Subspace::Elastic ? "the rest pose" : "a rigid motion"));
     return all;
   }
 
-  // Targets of all rows; those of rotations are zero still.
-  Matrix<R> targets(const std::vector<Vec3<double>>& positions) const {
+  // What maps are found as differences from: of elastic ones the rest pose, whose displacements they are.
+  Motion<R> start(const std::vector<Vec3<double>>& positions) const {
+    if (options.subspace != Subspace::Elastic)
+      return nearest_motion<R>(constraints, positions, place, size, dimension());
+    return {Turn::Identity(dimension(), dimension()), place, place};
+  }
+
+  // A right side: targets of all rows less what the motion makes there. Its values and derivatives are known without
+  // sums of layers, whose roundings the equations' condition would multiply. Rows of rotations are for those as given.
+  Matrix<R> targets(const std::vector<Vec3<double>>& positions, const Motion<R>& motion) const {
     const int d = dimension();
     Matrix<R> right = Matrix<R>::Zero(rows.matrix.rows() / rows.components, d);
+    const auto step = [d](const Vec3<double>& to, const Vec3<double>& from) {
+      return in<R>(d, convert<R>(to) - convert<R>(from));
+    };
     for (std::size_t p = 0; p < positions.size(); ++p)
-      right.row(static_cast<Eigen::Index>(p)) = (convert<R>(positions[p]) - convert<R>(place)).head(d).transpose();
+      right.row(static_cast<Eigen::Index>(p)) =
+          (step(positions[p], motion.to) - motion.turn * step(constraints.positions[p].at, motion.from)).transpose();
     for (std::size_t p = 0; p < constraints.orientations.size(); ++p)
       right.middleRows(rows.orientations + d * static_cast<Eigen::Index>(p), d) =
-          rows.root_alpha * constraints.orientations[p].jacobian.topLeftCorner(d, d).transpose().template cast<R>();
+          rows.root_alpha *
+          (constraints.orientations[p].jacobian.topLeftCorner(d, d).template cast<R>() - motion.turn).transpose();
     return rows.stacked(right);
+  }
+
+  // What rows of the identity have more than those of the motion.
+  Matrix<R> identity(const Motion<R>& motion) const {
+    const int d = dimension();
+    const Turn back = Turn::Identity(d, d) - motion.turn;
+    Matrix<R> found = Matrix<R>::Zero(rows.matrix.rows() / rows.components, d);
+    for (std::size_t p = 0; p < constraints.positions.size(); ++p) {
+      const Vec3<R> at = convert<R>(constraints.positions[p].at);
+      found.row(static_cast<Eigen::Index>(p)) =
+          (in<R>(d, at - convert<R>(motion.to)) - motion.turn * in<R>(d, at - convert<R>(motion.from))).transpose();
+    }
+    const auto put = [&](Eigen::Index first, std::size_t count, const R& root) {
+      for (std::size_t p = 0; p < count; ++p)
+        found.middleRows(first + d * static_cast<Eigen::Index>(p), d) = root * back.transpose();
+    };
+    put(rows.orientations, constraints.orientations.size(), rows.root_alpha);
+    put(rows.rotations, constraints.rotations.size(), rows.root_beta);
+    return rows.stacked(found);
   }
 
   // Puts the rotation or similarity nearest to each Jacobian among the targets. Returns the first point where it is not
   // unique. Rows hold sqrt(beta) times derivatives; with beta = 0 they say nothing, and any rotation does.
-  std::optional<std::size_t> turn(const Matrix<R>& solution, Matrix<R>& right) const {
+  // \param made the map's rows, less the motion's
+  std::optional<std::size_t> turn(const Matrix<R>& made, const Motion<R>& motion, Matrix<R>& right) const {
     const int d = dimension();
     std::optional<std::size_t> ambiguous;
     if (rows.root_beta == 0) return ambiguous;
     for (std::size_t p = 0; p < constraints.rotations.size(); ++p) {
       const Eigen::Index count = d * rows.components,
                          first = rows.rotations * rows.components + count * static_cast<Eigen::Index>(p);
-      const SpaceMatrix<R> jacobian =
-          rows.table(rows.matrix.middleRows(first, count) * solution).transpose() / rows.root_beta;
+      const Turn jacobian = motion.turn + Turn(rows.table(made.middleRows(first, count)).transpose() / rows.root_beta);
       const NearestRotation<R> nearest = nearest_rotation<R>(jacobian, R(1e-10));
       if (!nearest.is_unique && !ambiguous) ambiguous = p;
       const R factor = options.nearest == Nearest::Similarity ? R(nearest.signed_values.sum() / d) : R(1);
-      right.middleRows(first, count) = rows.stacked(rows.root_beta * factor * nearest.rotation.transpose());
+      right.middleRows(first, count) =
+          rows.stacked(rows.root_beta * (factor * nearest.rotation - motion.turn).transpose());
     }
     return ambiguous;
   }
 
-  double energy(const Matrix<R>& solution, const Matrix<R>& right) const {
-    const auto found = static_cast<double>(R((rows.matrix * solution - right).squaredNorm()));
+  double energy(const Matrix<R>& made, const Matrix<R>& right) const {
+    const auto found = static_cast<double>(R((made - right).squaredNorm()));
     if (!std::isfinite(found))
       throw ConstraintError("the constraints' targets are too large: the energy is not finite");
     return found;
   }
 
-  // The energy of a map that misses its targets by so many roundings of them.
-  static double energy_of_roundings(double count, const Matrix<R>& right) {
+  // The energy of a map that misses its targets, as seen from the cage, by so many roundings of them.
+  double energy_of_roundings(double count, const std::vector<Vec3<double>>& positions) const {
+    R sum = R(options.beta) * R(dimension() * static_cast<double>(constraints.rotations.size()));
+    for (const Vec3<double>& to : positions) sum += (convert<R>(to) - convert<R>(place)).squaredNorm();
+    for (const auto& [at, jacobian] : constraints.orientations) sum += R(options.alpha) * R(jacobian.squaredNorm());
     const R rounding = R(count) * unit_roundoff<R>();
-    return static_cast<double>(R(rounding * rounding * right.squaredNorm()));
+    return static_cast<double>(R(rounding * rounding * sum));
   }
 
-  std::unique_ptr<const Posed<R>> posed(const Matrix<R>& solution, DeformationReport report) const {
-    const Matrix<R> coefficients = rows.units.asDiagonal() * rows.table(solution);
+  // The motion, and the solution on top of it.
+  std::unique_ptr<const Posed<R>> posed(const Matrix<R>& solution, const Motion<R>& motion,
+                                        DeformationReport report) const {
+    const Matrix<R> coefficients = motion.turned(rest) + rows.units.asDiagonal() * rows.table(solution);
     std::vector<Matrix<R>> data;
     Eigen::Index first = 0;
     for (const CoordinateBlock& block : coordinates.blocks()) {
@@ -138,28 +173,46 @@ struct Variational<R>::Prepared {
     std::unique_ptr<const Posed<R>> found;
     if (rows.components == 1) found = std::make_unique<LinearPosed<R>>(std::move(data), std::move(report));
     else found = std::make_unique<MatrixPosed<R>>(std::move(data), std::move(report));
-    return shifted<R>(std::move(found), place, dimension());
+    return shifted<R>(std::move(found), motion.to, dimension());
+  }
+
+  // The identity, on top of the motion.
+  Matrix<R> rest_from(const Motion<R>& motion) const {
+    const auto vertices = static_cast<Eigen::Index>(coordinates.elements().vertices().size());
+    Matrix<R> found = rest - motion.turned(rest);
+    const Vec3<R> shift = convert<R>(motion.from) - convert<R>(motion.to);
+    found.topRows(vertices).rowwise() += shift.head(dimension()).transpose();
+    for (Eigen::Index k = 0; k < found.rows(); ++k) found.row(k) /= rows.units[k];
+    return rows.stacked(found);
   }
 
   std::unique_ptr<const Posed<R>> run(const std::vector<Vec3<double>>& positions, const StepWatcher& watch) const {
-    Matrix<R> right = targets(positions), solution = rest;
+    const Motion<R> motion = start(positions);
+    Matrix<R> right = targets(positions, motion), solution = rest_from(motion), made = identity(motion);
     DeformationReport report;
     report.warnings = warnings();
     double decrease = 0;
     // Without rotations the problem is linear, and the first step solves it.
     const bool linear = constraints.rotations.empty() || options.beta == 0;
+    const Matrix<R> nothing = Matrix<R>::Zero(rows.matrix.cols(), right.cols());
+    // Rows of rotations are zero still: the motion's own.
+    const bool is_motion =
+        energy(Matrix<R>::Zero(made.rows(), made.cols()), right) <= energy_of_roundings(8, positions);
     bool converged = false, told = false;
     for (int step = 1; step <= (linear ? 1 : options.steps); ++step) {
-      if (const auto ambiguous = turn(solution, right); ambiguous && !told) {
+      if (const auto ambiguous = turn(made, motion, right); ambiguous && !told) {
         report.warnings.push_back(
             fmt::format("rotations[{}]: the nearest rotation is not unique in step {}", *ambiguous, step));
         told = true;
       }
-      report.energies.push_back(energy(solution, right));
-      Matrix<R> next = solved(right);
-      const double after = energy(next, right);
+      report.energies.push_back(energy(made, right));
+      if (is_motion)
+        right.middleRows(rows.rotations * rows.components, (rows.hessians - rows.rotations) * rows.components)
+            .setZero();
+      Matrix<R> next = is_motion ? nothing : factors.solve(right), makes = rows.matrix * next;
+      const double after = energy(makes, right);
       // The least cannot be more than what there was, but by the rounding of what is asked for.
-      if (after > report.energies.back() * (1 + 1e-9) + energy_of_roundings(1e4, right)) {
+      if (after > report.energies.back() * (1 + 1e-9) + energy_of_roundings(1e4, positions)) {
         report.warnings.push_back(
             fmt::format("step {} would raise the energy from {:.2g} to {:.2g}: the weights are too uneven for the "
                         "precision, and the map is the one before it",
@@ -169,13 +222,15 @@ struct Variational<R>::Prepared {
         break;
       }
       solution = std::move(next);
+      made = std::move(makes);
       report.energies.push_back(after);
       if (watch) watch(step, report.energies.back());
       // From global step to global step; the first one has its own local step before it.
       const double before = report.energies[report.energies.size() - (step == 1 ? 2 : 3)];
       decrease = before > 0 ? 1 - report.energies.back() / before : 0;
-      converged = linear || !(decrease > options.tolerance) || report.energies.back() <= energy_of_roundings(8, right);
-      if (converged && options.tolerance > 0) break;
+      converged = linear || is_motion || !(decrease > options.tolerance) ||
+                  report.energies.back() <= energy_of_roundings(8, positions);
+      if (converged && (options.tolerance > 0 || is_motion)) break;
     }
     const std::size_t steps = report.energies.size() / 2;
     if (!converged)
@@ -185,7 +240,7 @@ struct Variational<R>::Prepared {
     report.figures = {{"energy", report.energies.back()},
                       {"steps", static_cast<double>(steps)},
                       {"last relative decrease", decrease}};
-    return posed(solution, std::move(report));
+    return posed(solution, motion, std::move(report));
   }
 
   Constraints constraints;
@@ -193,8 +248,9 @@ struct Variational<R>::Prepared {
   CageCoordinates coordinates;
   ConstraintRows<R> rows;
   LeastSquares<R> factors;                    ///< of the rows' matrix
-  Vec3<double> place = Vec3<double>::Zero();  ///< what all is solved from, next to the cage; least coefficients, too
-  Matrix<R> rest;                             ///< the identity's coefficients from there, in units, stacked
+  Vec3<double> place = Vec3<double>::Zero();  ///< next to the cage
+  double size = 0;
+  Matrix<R> rest;  ///< the identity's coefficients from there
 };
 
 template <Scalar R>

@@ -37,9 +37,11 @@ struct VariationalOptions {
 /// of f's coefficients and of the rotations R, in Frobenius norms, made less by turns: each R becomes the rotation (or
 /// similarity) nearest to Jf, then the coefficients solve a linear least-squares problem. Its matrix depends only on
 /// places and weights and is factored once. The first map is the identity. The energy rises only by rounding, at
-/// any half step; its minimum need not be the global one. Where constraints do not determine the coefficients, those of
-/// least norm are taken, in the cage's own unit of length and next to it, and the report has a warning; of elastic maps
-/// the displacements of least norm. R: double or Mp50. Safe from any thread.
+/// any half step; its minimum need not be the global one. Coefficients are found as differences from those of the rigid
+/// motion nearest to the positions and orientations (for elastic maps, of the rest pose), so that a motion itself has
+/// no roundings; where constraints do not determine them, the differences of least norm are taken, in the cage's own
+/// unit of length, and the report has a warning. Targets that a motion meets as well as they are rounded are met by it
+/// in one step. R: double or Mp50. Safe from any thread.
 template <Scalar R>
 class Variational final : public ConstrainedDeformer<R> {
  public:

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "nearest_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::deformation {
+namespace {
+
+Vec3<double> middle_of(const std::vector<Vec3<double>>& points) {
+  Vec3<double> mean = Vec3<double>::Zero();
+  // Each part by itself, because a sum of large numbers leaves the range.
+  for (const Vec3<double>& p : points) mean += p / static_cast<double>(points.size());
+  return mean;
+}
+
+// The least turn that takes one direction of space to another. \param normal at right angles to both, where they are
+// opposite
+template <Scalar R>
+Mat3<R> least_turn(const Vec3<R>& one, const Vec3<R>& other, const Vec3<R>& normal) {
+  const Vec3<R> across = one.cross(other);
+  const R cosine = one.dot(other);
+  if (cosine < R(-0.999999)) return R(2) * normal * normal.transpose() - Mat3<R>::Identity();
+  Mat3<R> cross;
+  cross << R(0), R(-across[2]), across[1], across[2], R(0), R(-across[0]), R(-across[1]), across[0], R(0);
+  return Mat3<R>::Identity() + cross + cross * cross / R(1 + cosine);
+}
+
+}  // namespace
+
+template <Scalar R>
+Motion<R> nearest_motion(const Constraints& constraints, const std::vector<Vec3<double>>& targets,
+                         const Vec3<double>& from, double size, int dimension) {
+  Motion<R> motion{SpaceMatrix<R>::Identity(dimension, dimension), from, targets.empty() ? from : middle_of(targets)};
+  std::vector<Vec3<double>> places;
+  places.reserve(targets.size());
+  for (const auto& position : constraints.positions) places.push_back(position.at);
+  const Vec3<double> middle = places.empty() ? from : middle_of(places);
+  // Both ends in units of their own: the turn is the same, and products stay in range.
+  double at_unit = 0, to_unit = 0;
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    at_unit = std::max(at_unit, (places[p] - middle).head(dimension).cwiseAbs().maxCoeff());
+    to_unit = std::max(to_unit, (targets[p] - motion.to).head(dimension).cwiseAbs().maxCoeff());
+  }
+  SpaceMatrix<R> moved = SpaceMatrix<R>::Zero(dimension, dimension);
+  if (at_unit > 0 && to_unit > 0 && std::isfinite(at_unit) && std::isfinite(to_unit))
+    for (std::size_t p = 0; p < places.size(); ++p)
+      moved += in<R>(dimension, convert<R>(targets[p]) - convert<R>(motion.to)) / R(to_unit) *
+               (in<R>(dimension, convert<R>(places[p]) - convert<R>(middle)) / R(at_unit)).transpose();
+  else to_unit = at_unit = size;
+  const R weight = R(size) / R(to_unit) * (R(size) / R(at_unit));
+  for (const auto& [at, jacobian] : constraints.orientations)
+    moved += weight * jacobian.topLeftCorner(dimension, dimension).template cast<R>();
+  if (moved.allFinite() && !moved.isZero(0)) {
+    const NearestRotation<R> nearest = nearest_rotation<R>(moved, R(1e-10));
+    if (nearest.is_unique) {
+      motion.turn = nearest.rotation;
+    } else if (dimension == 3) {
+      // All in one line: turns about it are free.
+      const Eigen::JacobiSVD<SpaceMatrix<R>, Eigen::NoQRPreconditioner> svd(moved,
+                                                                            Eigen::ComputeFullU | Eigen::ComputeFullV);
+      motion.turn =
+          least_turn<R>(Vec3<R>(svd.matrixV().col(0)), Vec3<R>(svd.matrixU().col(0)), Vec3<R>(svd.matrixV().col(1)));
+    }
+  }
+  // The middle goes to the mean of the targets.
+  motion.to += convert<double>(Vec3<R>(in_three<R>(motion.turn) * (convert<R>(from) - convert<R>(middle))));
+  motion.to.tail(3 - dimension).setZero();
+  return motion;
+}
+
+template Motion<double> nearest_motion<double>(const Constraints&, const std::vector<Vec3<double>>&,
+                                               const Vec3<double>&, double, int);
+template Motion<Mp50> nearest_motion<Mp50>(const Constraints&, const std::vector<Vec3<double>>&, const Vec3<double>&,
+                                           double, int);
+
+}  // namespace cageproof::deformation
