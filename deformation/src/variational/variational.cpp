@@ -53,12 +53,8 @@ struct Variational<R>::Prepared {
     const std::vector<Vec3<R>> vertices = vertices_in<R>(elements);
     place = own_place(elements.vertices());
     size = cage.size();
-    rest = Matrix<R>::Zero(rows.units.size(), dimension());
-    rest.topRows(static_cast<Eigen::Index>(vertices.size())) =
-        rows_of(vertices, dimension()).rowwise() - convert<R>(place).head(dimension()).transpose();
-    rest.middleRows(static_cast<Eigen::Index>(vertices.size()), static_cast<Eigen::Index>(elements.count())) =
-        R(coordinates.blocks()[1].normal_factor) *
-        rows_of(stretched_normals(Stretch::Unit, elements, vertices), dimension());
+    from_place = rows_of(vertices, dimension()).rowwise() - convert<R>(place).head(dimension()).transpose();
+    normals = rows_of(stretched_normals(Stretch::Unit, elements, vertices), dimension());
   }
 
   using Turn = SpaceMatrix<R>;
@@ -74,17 +70,24 @@ struct Variational<R>::Prepared {
     if (options.subspace == Subspace::Elastic) warn_of_pole(options.nu, all);
     if (constraints.positions.empty()) all.emplace_back("there is no positional constraint: translations are free");
     if (free_unknowns() > 0)
-      all.push_back(fmt::format("the constraints leave {} of {} unknowns free: the map next to {} is taken",
-                                free_unknowns(), rows.matrix.cols(),
-                                options.subspace == Subspace::Elastic ? "the rest pose" : "a rigid motion"));
+      all.push_back(fmt::format("the constraints leave {} of {} unknowns free: the map next to a rigid motion is taken",
+                                free_unknowns(), rows.matrix.cols()));
     return all;
   }
 
-  // What maps are found as differences from: of elastic ones the rest pose, whose displacements they are.
-  Motion<R> start(const std::vector<Vec3<double>>& positions) const {
-    if (options.subspace != Subspace::Elastic)
-      return nearest_motion<R>(constraints, positions, place, size, dimension());
-    return {Turn::Identity(dimension(), dimension()), place, place};
+  // Coefficients of a linear map about the place: vertices' images, then normal derivatives or, for shear modulus 1, an
+  // elastic body's tractions.
+  Matrix<R> coefficients_of(const Turn& map) const {
+    Matrix<R> found = Matrix<R>::Zero(rows.units.size(), dimension());
+    found.topRows(from_place.rows()) = from_place * map.transpose();
+    auto block = found.middleRows(from_place.rows(), normals.rows());
+    if (options.subspace == Subspace::Elastic) {
+      const R lambda = std::isinf(options.nu) ? R(-1) : R(2 * R(options.nu) / R(1 - 2 * R(options.nu)));
+      block = lambda * map.trace() * normals + normals * (map + map.transpose());
+    } else {
+      block = normals * map.transpose();
+    }
+    return found;
   }
 
   // A right side: targets of all rows less what the motion makes there. Its values and derivatives are known without
@@ -163,7 +166,7 @@ struct Variational<R>::Prepared {
   // The motion, and the solution on top of it.
   std::unique_ptr<const Posed<R>> posed(const Matrix<R>& solution, const Motion<R>& motion,
                                         DeformationReport report) const {
-    const Matrix<R> coefficients = motion.turned(rest) + rows.units.asDiagonal() * rows.table(solution);
+    const Matrix<R> coefficients = coefficients_of(motion.turn) + rows.units.asDiagonal() * rows.table(solution);
     std::vector<Matrix<R>> data;
     Eigen::Index first = 0;
     for (const CoordinateBlock& block : coordinates.blocks()) {
@@ -178,16 +181,15 @@ struct Variational<R>::Prepared {
 
   // The identity, on top of the motion.
   Matrix<R> rest_from(const Motion<R>& motion) const {
-    const auto vertices = static_cast<Eigen::Index>(coordinates.elements().vertices().size());
-    Matrix<R> found = rest - motion.turned(rest);
+    Matrix<R> found = coefficients_of(Turn::Identity(dimension(), dimension())) - coefficients_of(motion.turn);
     const Vec3<R> shift = convert<R>(motion.from) - convert<R>(motion.to);
-    found.topRows(vertices).rowwise() += shift.head(dimension()).transpose();
+    found.topRows(from_place.rows()).rowwise() += shift.head(dimension()).transpose();
     for (Eigen::Index k = 0; k < found.rows(); ++k) found.row(k) /= rows.units[k];
     return rows.stacked(found);
   }
 
   std::unique_ptr<const Posed<R>> run(const std::vector<Vec3<double>>& positions, const StepWatcher& watch) const {
-    const Motion<R> motion = start(positions);
+    const Motion<R> motion = nearest_motion<R>(constraints, positions, place, size, dimension());
     Matrix<R> right = targets(positions, motion), solution = rest_from(motion), made = identity(motion);
     DeformationReport report;
     report.warnings = warnings();
@@ -250,7 +252,8 @@ struct Variational<R>::Prepared {
   LeastSquares<R> factors;                    ///< of the rows' matrix
   Vec3<double> place = Vec3<double>::Zero();  ///< next to the cage
   double size = 0;
-  Matrix<R> rest;  ///< the identity's coefficients from there
+  Matrix<R> from_place;  ///< vertices, one per row
+  Matrix<R> normals;     ///< of unit length, one per row
 };
 
 template <Scalar R>

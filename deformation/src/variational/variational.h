@@ -38,10 +38,10 @@ struct VariationalOptions {
 /// similarity) nearest to Jf, then the coefficients solve a linear least-squares problem. Its matrix depends only on
 /// places and weights and is factored once. The first map is the identity. The energy rises only by rounding, at
 /// any half step; its minimum need not be the global one. Coefficients are found as differences from those of the rigid
-/// motion nearest to the positions and orientations (for elastic maps, of the rest pose), so that a motion itself has
-/// no roundings; where constraints do not determine them, the differences of least norm are taken, in the cage's own
-/// unit of length, and the report has a warning. Targets that a motion meets as well as they are rounded are met by it
-/// in one step. R: double or Mp50. Safe from any thread.
+/// motion nearest to the positions and orientations, so that a motion itself has no roundings; where constraints do not
+/// determine them, the differences of least norm are taken, in the cage's own unit of length, and the report has a
+/// warning. Targets that a motion meets as well as they are rounded are met by it in one step. R: double or Mp50. Safe
+/// from any thread.
 template <Scalar R>
 class Variational final : public ConstrainedDeformer<R> {
  public:

@@ -112,6 +112,7 @@ Question<PointAt> ConstrainedChecks::energy(std::string_view check, std::string_
 std::vector<Question<PointAt>> ConstrainedChecks::questions() const {
   std::vector<Question<PointAt>> all{energy("energy_falls", bent_pose, &ConstrainedChecks::largest_rise),
                                      energy("rigid_energy", rigid_pose, &ConstrainedChecks::what_is_left)};
+  all.push_back(question("keeps_rigid", rigid_pose, kept(turn(cage_->dimension()))));
   all.push_back(energy("second_route", bent_pose, &ConstrainedChecks::slope_left));
   if (!variant_.method->positions_alone)
     all.push_back(energy("energy_is_flat", bent_pose, &ConstrainedChecks::flatness));
@@ -180,6 +181,23 @@ ConstrainedChecks::Ask ConstrainedChecks::moved(std::string_view pose, const Spa
     const Vec3<double> expected = map(image, size);
     for (int c = 0; c < d; ++c) difference[c] = b.tensors[0][c] / length - expected[c];
     return excused(difference.norm() / size, {here.condition(), rounding_of_coordinates(*cage_)});
+  };
+}
+
+ConstrainedChecks::Ask ConstrainedChecks::kept(const SpaceMap& map) const {
+  const auto solution = std::make_shared<const Lazy<SolvedProblem>>([this] {
+    SolvedProblem found{problem(rigid_pose).prepared(variant_, rule_, many_steps, any_decrease), {}};
+    found.posed = found.model->pose();
+    return found;
+  });
+  return [this, solution, map](const Vec3<double>& point) {
+    const SolvedProblem& solved = solution->get();
+    const Images<double> images = solved.model->images(*solved.posed, std::span(&point, 1), 0);
+    Vec3<double> difference = Vec3<double>::Zero();
+    const Vec3<double> expected = map(point, cage_->size());
+    for (int c = 0; c < cage_->dimension(); ++c) difference[c] = images.tensors[0][c] - expected[c];
+    // A motion is not solved for: no condition excuses it.
+    return excused(difference.norm() / cage_->size(), {.rounding = rounding_of_coordinates(*cage_)});
   };
 }
 

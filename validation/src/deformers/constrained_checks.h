@@ -41,6 +41,7 @@ class ConstrainedChecks {
 
   /// energy_falls: the largest rise of the energy (of methods with a merit, of that) at a step, over it.
   /// rigid_energy: the energy that targets moved rigidly leave, in a unit in which the cage's size is one.
+  /// keeps_rigid: images where targets are moved rigidly with those of the motion.
   /// energy_is_flat, of methods whose energy is quadratic in their coefficients: its gradient after the first step over
   /// that before it.
   /// second_route: unmet_stationarity(): slopes and sums of energies that are written another time.
@@ -64,6 +65,7 @@ class ConstrainedChecks {
   double what_is_left(std::string_view pose) const;
   double slope_left(std::string_view pose) const;
   double flatness(std::string_view pose) const;
+  Ask kept(const SpaceMap& map) const;
   Ask kept_far_off(const SpaceMap& offset) const;
   Ask moved(std::string_view pose, const SpaceMap& map, double length) const;
 
