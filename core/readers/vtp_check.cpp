@@ -11,6 +11,7 @@
 #include <charconv>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,8 +23,12 @@ class FileCheck {
   FileCheck(std::string_view file, const FileLine& at) : file_(file), at_(at) {}
 
   void run() {
+    // What is appended may be bytes that are no XML, which the XML reader would stop at, blocks before it gets there.
+    const std::size_t appended = file_.find("<AppendedData"), begin = file_.find('>', appended);
+    std::string xml(file_.substr(0, begin == file_.npos ? begin : begin + 1));
+    if (begin != file_.npos) xml += "</AppendedData></VTKFile>";
     const std::unique_ptr<xmlTextReader, void (*)(xmlTextReaderPtr)> reader(
-        xmlReaderForMemory(file_.data(), static_cast<int>(file_.size()), nullptr, nullptr,
+        xmlReaderForMemory(xml.data(), static_cast<int>(xml.size()), nullptr, nullptr,
                            XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | XML_PARSE_HUGE),
         xmlFreeTextReader);
     while (reader && xmlTextReaderRead(reader.get()) == 1) read_node(*reader);
@@ -73,12 +78,14 @@ class FileCheck {
     std::from_chars(text.data(), text.data() + text.size(), offset);
     appended_.emplace_back(offset, array_);
   }
-  // Checks the arrays in <AppendedData>. They are found in the file's bytes, because raw ones are not XML.
+  // Checks the arrays in <AppendedData>.
   void check_appended(bool is_raw) {
-    const std::size_t tag = file_.find("<AppendedData"), mark = file_.find('_', file_.find('>', tag));
-    if (tag == file_.npos || mark == file_.npos) return;
-    const std::size_t end = is_raw ? file_.rfind("</AppendedData>") : file_.find('<', mark);
-    const std::string_view data = file_.substr(mark + 1, end == file_.npos ? end : end - mark - 1);
+    const std::size_t mark = file_.find('_', file_.find('>', file_.find("<AppendedData")));
+    if (mark == file_.npos) return;
+    const std::size_t end = is_raw ? file_.rfind("</AppendedData>") : file_.find("</AppendedData>", mark);
+    if (end == file_.npos || end < mark || file_.find("</VTKFile>", end) == file_.npos)
+      at_.fail("the appended data do not end: the file is cut off");
+    const std::string_view data = file_.substr(mark + 1, end - mark - 1);
     for (auto& [offset, array] : appended_) {
       if (offset >= data.size())
         at_.fail(fmt::format("an array begins at byte {} of appended data that have {}: the file is cut off or damaged",
