@@ -278,7 +278,7 @@ printf '0.3,0.6\n' >in_square.csv
 [ "$(grep -c '"posed_vertices"' thick.json)" -eq 1 ] && grep -q '"merits"' thick.json || fail "no posed cage, or no merits: $(cat thick.json)"
 # Two targets for one position, which no pose meets: nothing is written.
 sed 's/\]}$/, {"at": [0.25, 0.75], "to": [0.2, 0.9]}]}/' drawn.json >twice.json
-refuses twice.json "not converged" "positions are missed by" -- --cage square --constraints twice.json --points in_square.csv --method thickness --out met.csv
+refuses twice.json "not converged" "positions are missed by" -- --cage square --constraints twice.json --points in_square.csv --method thickness --quiet --out met.csv
 [ -e met.csv ] && fail "images of a pose that was not found"
 sed 's/0.75\]/7.5]/' drawn.json >outside.json
 refuses outside.json 'positions[1]' outside -- --cage square --constraints outside.json --points in_square.csv --method thickness --out out.csv

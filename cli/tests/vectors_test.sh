@@ -177,6 +177,37 @@ for refused in "./check_cage nothing.txt" "./check_cage one/triangle.solid_angle
   $refused >stdout 2>stderr
   [ $? -eq 2 ] && grep -q 'cannot read vectors' stderr || fail "$refused: $(cat stdout stderr)"
 done
+# What is left of a damaged file is not checked in silence.
+/usr/bin/python3 - <<'END'
+import json
+good = open("cages/mean_value.small-tetrahedron.json").read()
+def put(name, change):
+    data = json.loads(good)
+    change(data)
+    json.dump(data, open(f"damaged_{name}.json", "w"))
+put("vectors", lambda d: d["vectors"].pop())
+put("blocks", lambda d: d.update(blocks=[]))
+put("size", lambda d: d["blocks"][0].update(size=3))
+put("format", lambda d: d.update(format="cageproof cage vectors 2"))
+put("face", lambda d: d["faces"][0].append(3))
+put("index", lambda d: d["faces"][0].__setitem__(2, 9))
+put("denominators", lambda d: d["vectors"][3].update(denominators=[]))
+put("minus", lambda d: d["vectors"][3].update(denominators=["-1"]))
+put("number", lambda d: d["vectors"][3]["value"].__setitem__(0, 0.5))
+put("defects", lambda d: d["vectors"][3].update(defects=["nothing"]))
+put("unit", lambda d: d.update(unit="0x0p+0"))
+text = open("cages/mean_value.small-tetrahedron.txt").read().splitlines(keepends=True)
+words = text[-1].split(" ")
+open("damaged_minus.txt", "w").writelines(text[:-1] + [" ".join(words[:-1] + ["-" + words[-1]])])
+END
+for damaged in damaged_*.json; do
+  for checker in "/usr/bin/python3 $checkers/check_cage.py" "node $checkers/check_cage.js"; do
+    $checker "$damaged" >stdout 2>stderr
+    [ $? -eq 2 ] && grep -q 'cannot read vectors' stderr && [ "$(wc -l <stderr)" -eq 1 ] || fail "$checker $damaged: $(cat stdout stderr)"
+  done
+done
+./check_cage damaged_minus.txt >stdout 2>stderr
+[ $? -eq 2 ] && grep -q 'denominator is not positive' stderr || fail "C: a negative denominator: $(cat stdout stderr)"
 "$cageproof" vectors --kinds nothing --out three >stdout 2>stderr
 [ $? -eq 2 ] && [ ! -e three ] || fail "an unknown kind: $(cat stdout stderr)"
 

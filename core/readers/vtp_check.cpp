@@ -31,7 +31,13 @@ class FileCheck {
         xmlReaderForMemory(xml.data(), static_cast<int>(xml.size()), nullptr, nullptr,
                            XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | XML_PARSE_HUGE),
         xmlFreeTextReader);
-    while (reader && xmlTextReaderRead(reader.get()) == 1) read_node(*reader);
+    while (reader && xmlTextReaderRead(reader.get()) == 1) {
+      // The reader takes a thousand bytes for an element that is open.
+      constexpr int kDeepest = 100;
+      if (xmlTextReaderDepth(reader.get()) > kDeepest)
+        at_.fail(fmt::format("elements lie within each other {} deep: this is no VTP file", kDeepest));
+      read_node(*reader);
+    }
     if (!appended_.empty())
       at_.fail(
           fmt::format("{} arrays are in appended data that the file does not have: it is cut off", appended_.size()));
@@ -58,6 +64,8 @@ class FileCheck {
       storage_ = {value(reader, "compressor"), value(reader, "byte_order") == "BigEndian",
                   value(reader, "header_type") == "UInt64" ? sizeof(std::uint64_t) : sizeof(std::uint32_t)};
     const std::string format = value(reader, "format");
+    if (const std::string components = value(reader, "NumberOfComponents"); components.starts_with('-'))
+      at_.fail(fmt::format("an array has {} components", components));
     array_ = {.type = value(reader, "type"), .is_offsets = value(reader, "Name") == "offsets"};
     is_binary_ = format == "binary";
     is_text_of_offsets_ = format == "ascii" && array_.is_offsets;
@@ -75,7 +83,12 @@ class FileCheck {
   }
   void add_appended(std::string_view text) {
     std::size_t offset = 0;
-    std::from_chars(text.data(), text.data() + text.size(), offset);
+    // Writers leave room for longer numbers.
+    while (text.ends_with(' ')) text.remove_suffix(1);
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    const char* const end = text.data() + text.size();
+    if (const auto [next, error] = std::from_chars(text.data(), end, offset); error != std::errc() || next != end)
+      at_.fail(fmt::format("an array's offset \"{}\" is no number of bytes", text));
     appended_.emplace_back(offset, array_);
   }
   // Checks the arrays in <AppendedData>.

@@ -342,6 +342,19 @@ TEST(vtp_rejects, binary_arrays_that_are_cut_or_end_cells_beyond_the_file) {
     }
 }
 
+TEST(vtp_rejects, numbers_that_are_none) {
+  std::ifstream file(CAGEPROOF_FUZZ_CORPUS "/vtp/appended_base64", std::ios::binary);
+  const std::string whole(std::istreambuf_iterator<char>(file), {});
+  for (const char* offset : {"-8", "abc", ""})
+    expect_parts(error_of("mesh.vtp", replaced(whole, "offset=\"0\"", std::string("offset=\"") + offset + '"')),
+                 {"mesh.vtp: an array's offset", "is no number of bytes"});
+  expect_parts(error_of("mesh.vtp", replaced(whole, "NumberOfComponents=\"3\"", "NumberOfComponents=\"-3\"")),
+               {"mesh.vtp: an array has -3 components"});
+  std::string deep = "<VTKFile type=\"PolyData\">";
+  for (int i = 0; i < 100000; ++i) deep += "<a>";
+  expect_parts(error_of("mesh.vtp", deep), {"deep: this is no VTP file"});
+}
+
 TEST(vtp_rejects, everything_that_is_not_whole) {
   const std::string text = vtp();
   for (std::size_t cut = 1; cut < text.find("</VTKFile>"); cut += 13) error_of("cut.vtp", text.substr(0, cut));

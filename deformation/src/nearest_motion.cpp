@@ -42,25 +42,29 @@ Motion<R> nearest_motion(const Constraints& constraints, const std::vector<Vec3<
     at_unit = std::max(at_unit, (places[p] - middle).head(dimension).cwiseAbs().maxCoeff());
     to_unit = std::max(to_unit, (targets[p] - motion.to).head(dimension).cwiseAbs().maxCoeff());
   }
-  SpaceMatrix<R> moved = SpaceMatrix<R>::Zero(dimension, dimension);
+  // In 50 digits, because points off a line by a hundred-thousandth of it turn about it by what is 1e-10 of the sums.
+  using W = Mp50;
+  SpaceMatrix<W> moved = SpaceMatrix<W>::Zero(dimension, dimension);
   if (at_unit > 0 && to_unit > 0 && std::isfinite(at_unit) && std::isfinite(to_unit))
     for (std::size_t p = 0; p < places.size(); ++p)
-      moved += in<R>(dimension, convert<R>(targets[p]) - convert<R>(motion.to)) / R(to_unit) *
-               (in<R>(dimension, convert<R>(places[p]) - convert<R>(middle)) / R(at_unit)).transpose();
+      moved += in<W>(dimension, convert<W>(targets[p]) - convert<W>(motion.to)) / W(to_unit) *
+               (in<W>(dimension, convert<W>(places[p]) - convert<W>(middle)) / W(at_unit)).transpose();
   else to_unit = at_unit = size;
-  const R weight = R(size) / R(to_unit) * (R(size) / R(at_unit));
+  const W weight = W(size) / W(to_unit) * (W(size) / W(at_unit));
   for (const auto& [at, jacobian] : constraints.orientations)
-    moved += weight * jacobian.topLeftCorner(dimension, dimension).template cast<R>();
+    moved += weight * jacobian.topLeftCorner(dimension, dimension).template cast<W>();
   if (moved.allFinite() && !moved.isZero(0)) {
-    const NearestRotation<R> nearest = nearest_rotation<R>(moved, R(1e-10));
+    // Squares of some roundings: nearer to a line, where points are off it says nothing.
+    const NearestRotation<W> nearest = nearest_rotation<W>(moved, W(1e-29));
     if (nearest.is_unique) {
-      motion.turn = nearest.rotation;
+      motion.turn = nearest.rotation.template cast<R>();
     } else if (dimension == 3) {
       // All in one line: turns about it are free.
-      const Eigen::JacobiSVD<SpaceMatrix<R>, Eigen::NoQRPreconditioner> svd(moved,
+      const Eigen::JacobiSVD<SpaceMatrix<W>, Eigen::NoQRPreconditioner> svd(moved,
                                                                             Eigen::ComputeFullU | Eigen::ComputeFullV);
       motion.turn =
-          least_turn<R>(Vec3<R>(svd.matrixV().col(0)), Vec3<R>(svd.matrixU().col(0)), Vec3<R>(svd.matrixV().col(1)));
+          least_turn<W>(Vec3<W>(svd.matrixV().col(0)), Vec3<W>(svd.matrixU().col(0)), Vec3<W>(svd.matrixV().col(1)))
+              .template cast<R>();
     }
   }
   // The middle goes to the mean of the targets.

@@ -45,6 +45,16 @@ TEST(nearest_motion, is_the_one_that_targets_come_from) {
   }
 }
 
+// Next to a line, as positions along a spine are: a turn about it is found as well as doubles say how far off they are.
+TEST(nearest_motion, turns_about_the_line_that_points_are_next_to) {
+  for (const double off : {0x1p-10, 0x1p-18, 0x1p-33}) {
+    const std::vector<Vec> at{{.5, .5, .25}, {.5, .5, .75}, {.5 + off, .5, .5}},
+        to{{-.5, .5, .25}, {-.5, .5, .75}, {-.5, .5 + off, .5}};
+    const Motion<double> quarter = motion_of(at, to, 3);
+    EXPECT_LT((image(quarter, {.25, .5, .5}) - Vec(-.5, .25, .5)).norm(), 1e-15) << off;
+  }
+}
+
 // One position leaves all turns free, a line in space those about it.
 TEST(nearest_motion, turns_no_more_than_it_must) {
   const Motion<double> one = motion_of({{1, 2, 3}}, {{4, 2, 3}}, 3);

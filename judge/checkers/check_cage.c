@@ -185,6 +185,8 @@ int main(int argc, char** argv) {
     if (end) end = read_numbers(end, 2 * all, truth);
     if (end) end = read_numbers(end, blocks, denominators);
     if (!end || strcmp(end, "\n") != 0) return fail(argv[1], "a line has not as many finite numbers as line 1 says");
+    for (int b = 0; b < blocks; ++b)
+      if (!(denominators[b] > 0)) return fail(argv[1], "a denominator is not positive");
     coordinates(&cage, point, found);
     const double error = error_of(found, truth, denominators, sizes, blocks);
     const int passes = error <= bound;

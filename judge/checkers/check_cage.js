@@ -89,13 +89,38 @@ function worstError(data, vector, unit) {
   )
 }
 
+// Throws where the file is not whole: what is left of it would pass unchecked.
+function refuseDamage(data) {
+  const sizes = data.blocks.map((b) => b.size)
+  const corners = data.vertices[0].length
+  const whole = (n, least, below) => Number.isInteger(n) && n >= least && n < below
+  if (data.format !== 'cageproof cage vectors 1') throw new Error(`its format is ${data.format}`)
+  if (data.vectors.length !== data.candidates - data.without_defect) {
+    throw new Error(`${data.vectors.length} vectors, not ${data.candidates - data.without_defect}`)
+  }
+  const most = data.vertices.length + data.faces.length + 1
+  if (!sizes.length || !sizes.every((n) => whole(n, 1, most))) throw new Error(`its blocks have sizes ${sizes}`)
+  for (const face of data.faces) {
+    if (face.length !== corners || !face.every((i) => whole(i, 0, data.vertices.length))) throw new Error(`a face is ${JSON.stringify(face)}`)
+  }
+  const all = sizes.reduce((a, b) => a + b)
+  data.vectors.forEach((v, number) => {
+    if (v.value.length !== all || !v.value.every((x) => typeof x === 'string')) throw new Error(`vector ${number} has other values than the blocks ${sizes}`)
+    if (v.denominators.length !== sizes.length || !v.denominators.every((x) => typeof x === 'string' && Number(x) > 0)) {
+      throw new Error(`vector ${number} has denominators ${v.denominators}`)
+    }
+    if (!v.defects.length || !v.defects.every((d) => d in data.defects)) throw new Error(`vector ${number} names the defects ${v.defects}`)
+  })
+}
+
 function main() {
   let data, bound, errors
   try {
     data = JSON.parse(fs.readFileSync(process.argv[2], 'ascii'))
     bound = process.argv.length > 3 ? Number(process.argv[3]) : data.bound
     const unit = hexadecimal(data.unit)
-    if (!(bound > 0 && bound < Infinity)) throw new Error('BOUND is not a positive number')
+    refuseDamage(data)
+    if (data.unit.match(/^0x0p/) || data.bound === true || !(bound > 0 && bound < Infinity)) throw new Error('BOUND or the unit is not a positive number')
     if (data.kind !== KIND) throw new Error(`it has ${data.kind}, and the function is of ${KIND}`)
     if (!data.vectors.length || !data.vectors.every((v) => Array.isArray(v.defects))) throw new Error('the file has no vectors')
     errors = data.vectors.map((v) => worstError(data, v, unit))

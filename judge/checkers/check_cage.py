@@ -87,14 +87,36 @@ def worst_error(data, vector, unit):
     return worst
 
 
+def refuse_damage(data):
+    """Raises ValueError where the file is not whole: what is left of it would pass unchecked."""
+    sizes, corners = [b["size"] for b in data["blocks"]], len(data["vertices"][0])
+    if data["format"] != "cageproof cage vectors 1":
+        raise ValueError(f"its format is {data['format']!r}")
+    if len(data["vectors"]) != data["candidates"] - data["without_defect"]:
+        raise ValueError(f"{len(data['vectors'])} vectors, not {data['candidates'] - data['without_defect']}")
+    if not sizes or not all(type(n) is int and 0 < n <= len(data["vertices"]) + len(data["faces"]) for n in sizes):
+        raise ValueError(f"its blocks have sizes {sizes}")
+    for face in data["faces"]:
+        if len(face) != corners or not all(type(i) is int and 0 <= i < len(data["vertices"]) for i in face):
+            raise ValueError(f"a face is {face}")
+    for number, v in enumerate(data["vectors"]):
+        if len(v["value"]) != sum(sizes) or not all(isinstance(x, str) for x in v["value"]):
+            raise ValueError(f"vector {number} has other values than the blocks {sizes}")
+        if len(v["denominators"]) != len(sizes) or not all(Fraction(x) > 0 for x in v["denominators"]):
+            raise ValueError(f"vector {number} has denominators {v['denominators']}")
+        if not v["defects"] or not set(v["defects"]) <= set(data["defects"]):
+            raise ValueError(f"vector {number} names the defects {v['defects']}")
+
+
 def main():
     try:
         with open(sys.argv[1], encoding="ascii") as file:
             data = json.load(file)
         bound = float(sys.argv[2] if len(sys.argv) > 2 else data["bound"])
         unit = Fraction(float.fromhex(data["unit"]))
-        if not 0 < bound < math.inf:
-            raise ValueError("BOUND is not a positive number")
+        refuse_damage(data)
+        if unit <= 0 or data["bound"] is True or not 0 < bound < math.inf:
+            raise ValueError("BOUND or the unit is not a positive number")
         if data["kind"] != KIND:
             raise ValueError(f"it has {data['kind']}, and the function is of {KIND}")
         errors = [worst_error(data, v, unit) for v in data["vectors"]]
