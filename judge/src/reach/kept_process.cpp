@@ -237,8 +237,8 @@ long number_after(std::string_view said, const char* word) {
 }  // namespace
 
 Fault KeptProcess::fault(const std::string& kind, const std::string& why) {
-  // The end may be known a moment after its pipe is closed.
-  constexpr double moment = 0.5;
+  // The end may be known a moment after its pipe is closed, on a busy machine a second and more.
+  constexpr double moment = 4;
   if (kind == "crash") {
     const Clock::time_point until = in_seconds(moment);
     while (read_status(Clock::now()) && Clock::now() < until) {
