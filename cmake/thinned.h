@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inputs of tests that cost minutes: every third at each change, all of them at night.
+// Tests that cost minutes take every third of their inputs at each change, and all of them at night.
 #pragma once
 
 #include <cstddef>

@@ -115,7 +115,7 @@ std::filesystem::path report_file(const DeformArguments& a, std::size_t maps) {
   std::filesystem::path file = numbered(a.out, 1);
   if (maps > 1) {
     std::string stem = without_marks(std::filesystem::path(a.out).stem().string());
-    // What stood between name and number.
+    // The separator between name and number.
     stem.erase(stem.find_last_not_of("_-. ") + 1);
     file.replace_filename(stem.empty() ? "maps" : stem + ".x");
   }

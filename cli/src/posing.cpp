@@ -101,7 +101,7 @@ Posing posed_by_constraints(const ConstraintMethod& method, const Cage& cage, co
     found.coordinates = &deformer->coordinates();
     found.max_order = deformer->coordinates().max_order();
     auto map = deformer->pose(watch);
-    // Such a map is none that the method defines.
+    // The method defines no such map.
     for (const DeformationReport& report = map->report(); const auto& [name, value] : report.figures)
       if (name == "converged" && value == 0) throw ConstraintError(report.warnings.back());
     std::vector<Vec3<double>> vertices = map->vertices();

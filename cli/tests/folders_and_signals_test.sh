@@ -215,7 +215,7 @@ wait $process || fail 'an ignored SIGHUP ends a run'
 set -o pipefail
 "$cageproof" list 2>stderr | head -n 1 >/dev/null
 "$cageproof" bench --formula segment.winding_angle --regime '*' --samples 1 --seconds 0 --out piped 2>>stderr | true
-# What it says of files that it has written is no word about the pipe.
+# The line that names written files is not about the pipe.
 sed -i '/^written to piped: /d' stderr
 [ ! -s stderr ] || fail "a closed pipe: $(cat stderr)"
 [ -z "$(find . -name '.*.partial-*')" ] || fail "a closed pipe leaves $(find . -name '.*.partial-*')"

@@ -38,7 +38,7 @@ assert c["judged"]["files"][0]["sha256"] == sys.argv[2].split()[0]
 assert {row["regime"] for row in c["formulas"][0]["rows"]} >= {"generic", "near-face", "far", "scaled"}
 END
 
-# Examples of one formula: the textbook form is wrong on edges only, as it says, others decline until the user's function is there.
+# The example of one formula is wrong only on edges, as it says; others decline until the user's function is there.
 example() {
   local language=$1 formula=$2 ending build
   rm -rf example

@@ -177,7 +177,7 @@ for refused in "./check_cage nothing.txt" "./check_cage one/triangle.solid_angle
   $refused >stdout 2>stderr
   [ $? -eq 2 ] && grep -q 'cannot read vectors' stderr || fail "$refused: $(cat stdout stderr)"
 done
-# What is left of a damaged file is not checked in silence.
+# A damaged file is refused as a whole.
 /usr/bin/python3 - <<'END'
 import json
 good = open("cages/mean_value.small-tetrahedron.json").read()

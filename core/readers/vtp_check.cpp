@@ -23,7 +23,7 @@ class FileCheck {
   FileCheck(std::string_view file, const FileLine& at) : file_(file), at_(at) {}
 
   void run() {
-    // What is appended may be bytes that are no XML, which the XML reader would stop at, blocks before it gets there.
+    // Appended data may be bytes that are no XML. The XML reader would stop at them, blocks before it gets there.
     const std::size_t appended = file_.find("<AppendedData"), begin = file_.find('>', appended);
     std::string xml(file_.substr(0, begin == file_.npos ? begin : begin + 1));
     if (begin != file_.npos) xml += "</AppendedData></VTKFile>";

@@ -95,7 +95,8 @@ TYPED_TEST(mp, arithmetic_is_boosts) {
     }
 }
 
-// Operands as far from each other as a sum sees, and a little further; equal ones but for a bit; and those of one limb.
+// Operands as far from each other as a sum sees, and a little further; equal ones except for a bit; and those of one
+// limb.
 TYPED_TEST(mp, arithmetic_has_mpfrs_bits) {
   RandomStream random(11, "mp", 0);
   const auto expect_same = [](const TypeParam& found, const TypeParam& expected, const char* what) {

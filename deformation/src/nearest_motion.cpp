@@ -54,12 +54,12 @@ Motion<R> nearest_motion(const Constraints& constraints, const std::vector<Vec3<
   for (const auto& [at, jacobian] : constraints.orientations)
     moved += weight * jacobian.topLeftCorner(dimension, dimension).template cast<W>();
   if (moved.allFinite() && !moved.isZero(0)) {
-    // Squares of some roundings: nearer to a line, where points are off it says nothing.
+    // The tolerance is the square of some roundings: points nearer to a line do not determine the turn about it.
     const NearestRotation<W> nearest = nearest_rotation<W>(moved, W(1e-29));
     if (nearest.is_unique) {
       motion.turn = nearest.rotation.template cast<R>();
     } else if (dimension == 3) {
-      // All in one line: turns about it are free.
+      // All points lie in one line, and turns about it are free.
       const Eigen::JacobiSVD<SpaceMatrix<W>, Eigen::NoQRPreconditioner> svd(moved,
                                                                             Eigen::ComputeFullU | Eigen::ComputeFullV);
       motion.turn =

@@ -88,7 +88,7 @@ std::shared_ptr<const Deformer<R>> prepared_with(const Cage& cage, const Setting
   return prepare_deformer<R>(method, cage, {.parameters = std::move(values)});
 }
 
-/// What prepared_with() gives, prepared once for all tests of a program.
+/// The same as prepared_with(), prepared once for all tests of a program.
 inline const Deformer<double>& kept_with(const Cage& cage, const Setting& setting) {
   using Key = std::tuple<std::string, std::vector<double>, std::vector<int>>;
   static std::map<Key, std::shared_ptr<const Deformer<double>>> kept;

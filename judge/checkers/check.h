@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * What the checkers of test vectors in C share: exact sums of doubles, counts by defect, reading numbers. */
+ * The checkers of test vectors in C share exact sums of doubles, counts by defect, reading numbers. */
 #ifndef CAGEPROOF_CHECK_H
 #define CAGEPROOF_CHECK_H
 

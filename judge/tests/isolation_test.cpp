@@ -71,7 +71,7 @@ Found judged(const std::string& what, double seconds) {
     found.incidents = code.incidents();
   }
   found.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  // What was killed may be seen until the system has buried it.
+  // A killed process may be seen until the system has buried it.
   for (int i = 0; i < 50 && processes() != before; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_EQ(processes(), before) << what;
   return found;

@@ -112,7 +112,7 @@ bool add(mpfr_ptr r, mpfr_srcptr a, mpfr_srcptr b, int sign_of_b) {
   Limb w1 = add(x1, moved(y2, y1) ^ all_if_differing, carry);
   Limb w2 = add(x2, moved(y3, y2) ^ all_if_differing, carry);
   Limb w3 = add(x3, y3 >> bits ^ all_if_differing, carry);
-  // Of equal exponents the first may be the smaller: no carry, and the sum is the difference's complement.
+  // With equal exponents the first may be the smaller: there is no carry then, and the sum is the complement.
   const Limb all_if_negative = all_if_differing & (carry - 1);
   sign = all_if_negative == 0 ? sign : -sign;
   carry = all_if_negative & 1;

@@ -108,7 +108,7 @@ struct Variational<R>::Prepared {
     return rows.stacked(right);
   }
 
-  // What rows of the identity have more than those of the motion.
+  // The rows of the identity, less those of the motion.
   Matrix<R> identity(const Motion<R>& motion) const {
     const int d = dimension();
     const Turn back = Turn::Identity(d, d) - motion.turn;
@@ -197,7 +197,7 @@ struct Variational<R>::Prepared {
     // Without rotations the problem is linear, and the first step solves it.
     const bool linear = constraints.rotations.empty() || options.beta == 0;
     const Matrix<R> nothing = Matrix<R>::Zero(rows.matrix.cols(), right.cols());
-    // Rows of rotations are zero still: the motion's own.
+    // Rows of rotations are still zero, which the motion itself makes there.
     const bool is_motion =
         energy(Matrix<R>::Zero(made.rows(), made.cols()), right) <= energy_of_roundings(8, positions);
     bool converged = false, told = false;

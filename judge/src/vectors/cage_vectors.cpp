@@ -37,7 +37,7 @@ CagePlaces places_in(std::string_view cage) {
 
 // Steps from the cage, in shares of the way to a point in its box, below usual thresholds.
 constexpr std::array<double, 2> kSteps{0x1p-24, 0x1p-40};
-// What the closed form in 100 digits and the defining integral in 50 may differ by, in shares of the denominator.
+// The largest difference between the closed form in 100 digits and the integral in 50, in shares of the denominator.
 constexpr double kAgreed = 1e-28;
 
 std::vector<CageVector> cage_candidates(const CagePlaces& places, int dimension, const VectorOptions& options) {

@@ -36,7 +36,7 @@ struct CageVectorSet {
 struct CageDefect {
   std::string name, description;
 };
-/// All that vectors of cages aim at: those of elements, summed over a cage, and those that only cages have.
+/// All defects that vectors of cages aim at: defects of elements, summed over a cage, and defects that only cages have.
 std::vector<CageDefect> cage_defects();
 
 /// The cages: "tetrahedron", "small-tetrahedron", "cube", "l-block"; in the plane "l-shape", "star".

@@ -9,11 +9,11 @@
 
 namespace cageproof::judge {
 
-/// What stands for a kind of coordinates where code is asked for sides instead.
+/// The name that stands for a kind of coordinates where code is asked for sides.
 inline constexpr std::string_view kSides = "inside";
 
-/// Asks on which side points lie: one number each, 1 inside, 0 on the cage, -1 outside. Points are anywhere, next to
-/// faces, edges and vertices on either side, exactly on them, far away, in other units of length, and far from the
+/// Asks on which side points lie, for one number each, 1 inside, 0 on the cage, -1 outside. Points are anywhere, next
+/// to faces, edges and vertices on either side, exactly on them, far away, in other units of length, and far from the
 /// origin, also of cages whose faces no axis is parallel to. The truth is exact.
 /// \param dimension 3, triangles in space, or 2, segments in the plane
 /// \param options regimes as side_regimes() names them; `single` and `ours` do not matter
