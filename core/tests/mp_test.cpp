@@ -95,52 +95,6 @@ TYPED_TEST(mp, arithmetic_is_boosts) {
     }
 }
 
-// Operands as far from each other as a sum sees, and a little further; equal ones except for a bit; and those of one
-// limb.
-TYPED_TEST(mp, arithmetic_has_mpfrs_bits) {
-  RandomStream random(11, "mp", 0);
-  const auto expect_same = [](const TypeParam& found, const TypeParam& expected, const char* what) {
-    EXPECT_TRUE(found == expected && signbit(found) == signbit(expected)) << what << ": " << found - expected;
-  };
-  constexpr int bits = std::numeric_limits<TypeParam>::digits;
-  for (int i = 0; i < 20000; ++i) {
-    const TypeParam a = of_random_limbs<TypeParam>(random, random.below(9) - 4);
-    TypeParam b =
-        of_random_limbs<TypeParam>(random, random.below(i % 2 == 0 ? 6 : 2 * bits + 20) - (i % 2 == 0 ? 3 : bits + 10));
-    if (i % 5 == 0) b = a * (1 + ldexp(TypeParam(1), -random.below(bits)));
-    if (i % 7 == 0) b = ldexp(TypeParam(1 + random.below(1000)), random.below(200) - 100);
-    TypeParam expected;
-    mpfr_add(expected.data(), a.data(), b.data(), MPFR_RNDN);
-    expect_same(a + b, expected, "+");
-    expect_same(b + a, expected, "+ the other way round");
-    mpfr_sub(expected.data(), a.data(), b.data(), MPFR_RNDN);
-    expect_same(a - b, expected, "-");
-    mpfr_mul(expected.data(), a.data(), b.data(), MPFR_RNDN);
-    expect_same(a * b, expected, "*");
-    mpfr_div(expected.data(), a.data(), b.data(), MPFR_RNDN);
-    expect_same(a / b, expected, "/");
-    TypeParam c = a;
-    const TypeParam& itself = c;
-    c /= itself;
-    expect_same(c, 1, "/ by itself");
-    c -= itself;
-    expect_same(c, 0, "- itself");
-  }
-  // Next to the ends of the range.
-  for (const TypeParam& far : {std::numeric_limits<TypeParam>::max(), std::numeric_limits<TypeParam>::min()}) {
-    const TypeParam two = 2, third = far / 3;
-    TypeParam expected;
-    for (const TypeParam& b : {two, third, far}) {
-      mpfr_add(expected.data(), far.data(), b.data(), MPFR_RNDN);
-      expect_same(far + b, expected, "+");
-      mpfr_mul(expected.data(), far.data(), b.data(), MPFR_RNDN);
-      expect_same(far * b, expected, "*");
-      mpfr_div(expected.data(), b.data(), far.data(), MPFR_RNDN);
-      expect_same(b / far, expected, "/");
-    }
-  }
-}
-
 TYPED_TEST(mp, functions_are_boosts) {
   using Number = MpNumber<TestFixture::digits>;
   for (const double x : {-.75, -1e-20, 0., 1e-30, .3, .999, 1., 1.5, 7., 1e10}) {

@@ -3,8 +3,6 @@
 
 #include "cageproof/core/numbers/mp_number.h"
 
-#include "three_limbs.h"
-
 #include <boost/math/constants/constants.hpp>
 
 #include <bit>
@@ -14,7 +12,6 @@
 #include <limits>
 #include <new>
 #include <ostream>
-#include <utility>
 
 namespace cageproof {
 namespace {
@@ -91,48 +88,6 @@ F nearest(mpfr_srcptr x) {
   return by_mpfr(x, F());
 }
 
-template <unsigned Bits>
-void set_sum(mpfr_ptr r, mpfr_srcptr a, mpfr_srcptr b) {
-  if constexpr (three_limbs::hold(Bits))
-    if (three_limbs::add<Bits>(r, a, b, b->_mpfr_sign)) return;
-  mpfr_add(r, a, b, MPFR_RNDN);
-}
-template <unsigned Bits>
-void set_difference(mpfr_ptr r, mpfr_srcptr a, mpfr_srcptr b) {
-  if constexpr (three_limbs::hold(Bits))
-    if (three_limbs::add<Bits>(r, a, b, -b->_mpfr_sign)) return;
-  mpfr_sub(r, a, b, MPFR_RNDN);
-}
-template <unsigned Bits>
-void set_product(mpfr_ptr r, mpfr_srcptr a, mpfr_srcptr b) {
-  if constexpr (three_limbs::hold(Bits))
-    if (three_limbs::multiply<Bits>(r, a, b)) return;
-  mpfr_mul(r, a, b, MPFR_RNDN);
-}
-
-// A divisor of one limb, as small integers are, takes a third of the time of others. The bits are the same, since its
-// power of two is taken off exactly.
-void set_quotient(mpfr_ptr r, mpfr_srcptr a, mpfr_srcptr b) {
-  static_assert(GMP_NUMB_BITS == 64);
-  if (three_limbs::is_plain(a) && three_limbs::is_plain(b)) {
-    const auto* const limbs = static_cast<const std::uint64_t*>(mpfr_custom_get_significand(b));
-    const auto last = (mpfr_get_prec(b) - 1) / 64;
-    std::uint64_t below = 0;
-    for (mpfr_prec_t i = 0; i < last; ++i) below |= limbs[i];
-    const int zeros = std::countr_zero(limbs[last]);
-    const std::uint64_t odd = limbs[last] >> zeros;
-    if (below == 0 && std::in_range<unsigned long>(odd)) {
-      const mpfr_exp_t shift = mpfr_get_exp(b) - 64 + zeros;
-      const bool negative = mpfr_signbit(b) != 0;
-      mpfr_div_ui(r, a, static_cast<unsigned long>(odd), MPFR_RNDN);
-      mpfr_mul_2si(r, r, -shift, MPFR_RNDN);
-      if (negative) mpfr_neg(r, r, MPFR_RNDN);
-      return;
-    }
-  }
-  mpfr_div(r, a, b, MPFR_RNDN);
-}
-
 }  // namespace
 
 // Numbers are made and copied some fifty times per computed one, so these functions do without MPFR's calls: they copy
@@ -170,12 +125,12 @@ Mp<D>::Mp(Exactly, long double value) {
   construct<D>(&number_, value);
 }
 template <unsigned D>
-Mp<D>::Mp(Exactly, long long value) : Mp() {
-  mpfr_set_sj(data(), value, MPFR_RNDN);
+Mp<D>::Mp(Exactly, long long value) {
+  construct<D>(&number_, value);
 }
 template <unsigned D>
-Mp<D>::Mp(Exactly, unsigned long long value) : Mp() {
-  mpfr_set_uj(data(), value, MPFR_RNDN);
+Mp<D>::Mp(Exactly, unsigned long long value) {
+  construct<D>(&number_, value);
 }
 
 template <unsigned D>
@@ -214,47 +169,47 @@ mpfr_srcptr Mp<D>::data() const {
 
 template <unsigned D>
 Mp<D>& Mp<D>::operator+=(const Mp& b) {
-  set_sum<bits>(data(), data(), b.data());
+  mpfr_add(data(), data(), b.data(), MPFR_RNDN);
   return *this;
 }
 template <unsigned D>
 Mp<D>& Mp<D>::operator-=(const Mp& b) {
-  set_difference<bits>(data(), data(), b.data());
+  mpfr_sub(data(), data(), b.data(), MPFR_RNDN);
   return *this;
 }
 template <unsigned D>
 Mp<D>& Mp<D>::operator*=(const Mp& b) {
-  set_product<bits>(data(), data(), b.data());
+  mpfr_mul(data(), data(), b.data(), MPFR_RNDN);
   return *this;
 }
 template <unsigned D>
 Mp<D>& Mp<D>::operator/=(const Mp& b) {
-  set_quotient(data(), data(), b.data());
+  mpfr_div(data(), data(), b.data(), MPFR_RNDN);
   return *this;
 }
 
 template <unsigned D>
 Mp<D> operator+(const Mp<D>& a, const Mp<D>& b) {
   Mp<D> result;
-  set_sum<Mp<D>::bits>(result.data(), a.data(), b.data());
+  mpfr_add(result.data(), a.data(), b.data(), MPFR_RNDN);
   return result;
 }
 template <unsigned D>
 Mp<D> operator-(const Mp<D>& a, const Mp<D>& b) {
   Mp<D> result;
-  set_difference<Mp<D>::bits>(result.data(), a.data(), b.data());
+  mpfr_sub(result.data(), a.data(), b.data(), MPFR_RNDN);
   return result;
 }
 template <unsigned D>
 Mp<D> operator*(const Mp<D>& a, const Mp<D>& b) {
   Mp<D> result;
-  set_product<Mp<D>::bits>(result.data(), a.data(), b.data());
+  mpfr_mul(result.data(), a.data(), b.data(), MPFR_RNDN);
   return result;
 }
 template <unsigned D>
 Mp<D> operator/(const Mp<D>& a, const Mp<D>& b) {
   Mp<D> result;
-  set_quotient(result.data(), a.data(), b.data());
+  mpfr_div(result.data(), a.data(), b.data(), MPFR_RNDN);
   return result;
 }
 template <unsigned D>
