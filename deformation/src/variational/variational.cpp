@@ -211,7 +211,8 @@ struct Variational<R>::Prepared {
       if (is_motion)
         right.middleRows(rows.rotations * rows.components, (rows.hessians - rows.rotations) * rows.components)
             .setZero();
-      Matrix<R> next = is_motion ? nothing : factors.solve(right), makes = rows.matrix * next;
+      Matrix<R> next = is_motion ? nothing : factors.solve(right);
+      Matrix<R> makes = rows.matrix * next;
       const double after = energy(makes, right);
       // The least cannot be more than what there was, but by the rounding of what is asked for.
       if (after > report.energies.back() * (1 + 1e-9) + energy_of_roundings(1e4, positions)) {
