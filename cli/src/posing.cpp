@@ -101,9 +101,7 @@ Posing posed_by_constraints(const ConstraintMethod& method, const Cage& cage, co
     found.coordinates = &deformer->coordinates();
     found.max_order = deformer->coordinates().max_order();
     auto map = deformer->pose(watch);
-    // The method defines no such map.
-    for (const DeformationReport& report = map->report(); const auto& [name, value] : report.figures)
-      if (name == "converged" && value == 0) throw ConstraintError(report.warnings.back());
+    if (const std::string& why = map->report().unsolved; !why.empty()) throw ConstraintError(why);
     std::vector<Vec3<double>> vertices = map->vertices();
     found.maps.push_back({std::move(map), file, std::move(vertices), options.parameters, deformer->prepared()});
   } catch (const ConstraintError& error) {

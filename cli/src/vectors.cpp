@@ -50,8 +50,8 @@ void add_cages(Written& written, const VectorArguments& a, const std::string& ve
       written.add(stem, ".json", judge::cage_vectors_json(set, a.options, version, a.command));
       written.add(stem, ".txt", judge::cage_vectors_text(set));
       written.vectors += set.vectors.size();
-      fmt::print("{} in {}: {} vectors; {} of {} points fail no known defect\n", kind, cage, set.vectors.size(),
-                 set.without_defect, set.candidates);
+      fmt::print("{} in {}: {} vectors; of {} points {} fail no known defect, and {} have no truth to 28 digits\n",
+                 kind, cage, set.vectors.size(), set.candidates, set.without_defect, set.without_truth);
       std::fflush(stdout);
     }
   }

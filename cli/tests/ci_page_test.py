@@ -15,7 +15,7 @@ from pathlib import Path
 program, page = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).read_text()
 environment = os.environ | {"PATH": f"{program.parent}:{os.environ['PATH']}", "CAGEPROOF_PROGRESS": "1e9"}
 jobs = [re.findall(r"^ +- (?:run: )?(cageproof .*)$", block, re.M) for block in re.findall(r"^```yaml\n(.*?)^```", page, re.M | re.S)]
-# The second one judges a cage, which takes minutes: its command is the page's.
+# The second job takes minutes, so that its command is compared and not run.
 assert [len(job) for job in jobs] == [2, 1, 2], jobs
 assert page.count(jobs[1][0]) == 2, jobs[1]
 for number, (measure, compare) in enumerate(job for job in jobs if len(job) == 2):

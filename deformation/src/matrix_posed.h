@@ -6,7 +6,7 @@
 
 namespace cageproof::deformation {
 
-/// A pose as data of each block: f = sum over blocks of coordinates, which are matrices, times data, a row of data a
+/// A pose as data of each block: f = sum over blocks of coordinates, which are matrices, times data, one row per
 /// coordinate.
 template <Scalar R>
 class MatrixPosed final : public Posed<R> {

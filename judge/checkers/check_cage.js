@@ -95,9 +95,8 @@ function refuseDamage(data) {
   const corners = data.vertices[0].length
   const whole = (n, least, below) => Number.isInteger(n) && n >= least && n < below
   if (data.format !== 'cageproof cage vectors 1') throw new Error(`its format is ${data.format}`)
-  if (data.vectors.length !== data.candidates - data.without_defect) {
-    throw new Error(`${data.vectors.length} vectors, not ${data.candidates - data.without_defect}`)
-  }
+  const stated = data.candidates - data.without_truth - data.without_defect
+  if (data.vectors.length !== stated) throw new Error(`${data.vectors.length} vectors, not ${stated}`)
   const most = data.vertices.length + data.faces.length + 1
   if (!sizes.length || !sizes.every((n) => whole(n, 1, most))) throw new Error(`its blocks have sizes ${sizes}`)
   for (const face of data.faces) {

@@ -92,8 +92,9 @@ def refuse_damage(data):
     sizes, corners = [b["size"] for b in data["blocks"]], len(data["vertices"][0])
     if data["format"] != "cageproof cage vectors 1":
         raise ValueError(f"its format is {data['format']!r}")
-    if len(data["vectors"]) != data["candidates"] - data["without_defect"]:
-        raise ValueError(f"{len(data['vectors'])} vectors, not {data['candidates'] - data['without_defect']}")
+    stated = data["candidates"] - data["without_truth"] - data["without_defect"]
+    if len(data["vectors"]) != stated:
+        raise ValueError(f"{len(data['vectors'])} vectors, not {stated}")
     if not sizes or not all(type(n) is int and 0 < n <= len(data["vertices"]) + len(data["faces"]) for n in sizes):
         raise ValueError(f"its blocks have sizes {sizes}")
     for face in data["faces"]:

@@ -47,5 +47,25 @@ TEST(FarSum, has_the_digits_that_it_is_asked_for) {
   }
 }
 
+// Far away one rule serves many digits: two sums that used it would agree, whatever was wrong.
+TEST(FarSum, compared_sums_have_other_rules) {
+  const auto kernels = scalar_kernels<Flux, 2, 3>();
+  const Integrand integrand{*find_formula("triangle.double_layer"), *kernels, 0};
+  for (const double distance : {10., 1e4, 1e12}) {
+    const std::array<Vec3<Mp200>, 3> corners{cageproof::convert<Mp200>(Vec3<double>(0, 0, 0)),
+                                             cageproof::convert<Mp200>(Vec3<double>(1, 0, 0)),
+                                             cageproof::convert<Mp200>(Vec3<double>(0, 1, 0))};
+    const Vec3<Mp200> point = cageproof::convert<Mp200>(Vec3<double>(distance, distance / 2, distance / 4));
+    const Query<Mp200> query{corners, point, 0};
+    const auto triangle = lined_triangle(corners, point);
+    ASSERT_TRUE(triangle);
+    FarSum sum(integrand, *triangle, query);
+    sum.at(31);
+    const std::size_t first = sum.nodes();
+    sum.at(31);
+    EXPECT_NE(sum.nodes(), 2 * first) << distance;
+  }
+}
+
 }  // namespace
 }  // namespace cageproof::quadrature_ref

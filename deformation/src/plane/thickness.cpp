@@ -126,9 +126,9 @@ struct Thickness<R>::Prepared {
     State last;
     std::vector<double> merits = {}, energies = {};
     int steps = 0;
-    bool converged = false;
-    R change = R(0), gradient = R(0);  ///< the last step, and the projected gradient
-    R wanted = R(0);                   ///< a weight that the constraints' multipliers ask for, where this one is less
+    bool converged = false, is_hidden = false;  ///< or as far as rounding shows
+    R change = R(0), gradient = R(0);           ///< the last step, and the projected gradient
+    R wanted = R(0);  ///< a weight that the constraints' multipliers ask for, where this one is less
   };
 
   // 8192 roundings of double, which poses are wanted to in 50 digits, too.
@@ -166,7 +166,7 @@ struct Thickness<R>::Prepared {
       // No part of the step lowers the merit. Next to a minimum, whose distance a merit shows only by its square,
       // rounding is all that is left; elsewhere the step is of no use.
       if (!run.converged && there.merit(weight) > most) {
-        run.converged = meets && run.change <= R(std::sqrt(rounding)) * R(size);
+        run.is_hidden = run.converged = meets && run.change <= R(std::sqrt(rounding)) * R(size);
         break;
       }
       run.last = std::move(there);
@@ -205,14 +205,17 @@ struct Thickness<R>::Prepared {
     Run found = run(rows, R(1) / R(size) / R(size) / R(size), rounded, watch);
     for (int again = 0; again < 60 && found.wanted > 0; ++again) found = run(rows, R(found.wanted), rounded, watch);
     DeformationReport said;
-    if (!found.converged) said.warnings.push_back(why_unsolved(found));
+    if (!found.converged) said.unsolved = why_unsolved(found);
+    else if (found.is_hidden)
+      said.warnings.push_back(fmt::format(
+          "rounding hides where the energy falls from here on: the last step would have changed vertices by {:.2g}",
+          static_cast<double>(found.change)));
     const auto energy = static_cast<double>(found.last.energy());
     said.figures = {{"energy", energy},
                     {"energy a sample", energy / static_cast<double>(thickness.of_vertices.rows())},
                     {"steps", found.steps},
                     {"constraint misfit", static_cast<double>(found.last.missed())},
-                    {"projected gradient", static_cast<double>(found.gradient)},
-                    {"converged", found.converged ? 1 : 0}};
+                    {"projected gradient", static_cast<double>(found.gradient)}};
     said.energies = std::move(found.energies);
     said.merits = std::move(found.merits);
     const Matrix<R> vertices = motion.turned(rest + found.last.moved),

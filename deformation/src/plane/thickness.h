@@ -36,12 +36,12 @@ class Thickness final : public ConstrainedDeformer<R> {
   /// Posed::vertices has the posed cage F. The report has E of the rigid motion, which is 0, and after each step in
   /// `energies`, and the merit in `merits`, all with one weight, which does not rise; as figures "energy", "energy a
   /// sample", "steps" (0 where the motion meets the targets as well as they are rounded), "constraint misfit" (the
-  /// largest |f(at) - to|), "projected gradient" (of E along the constraints, its largest number, per length) and
-  /// "converged": 0, with a warning as the last, where misfit, step and projected gradient are not down to double's
-  /// rounding in the end.
-  /// Where the weight turns out to be less than the constraints' multipliers, steps begin anew with a larger one, from
-  /// the motion and number 1 on. What is watched is E. \throws InputError for targets for which an edge of the posed
-  /// cage shrinks to nothing
+  /// largest |f(at) - to|) and "projected gradient" (of E along the constraints, its largest number, per length). In
+  /// the end misfit, step and projected gradient are down to double's rounding; or no part of a step that is shorter
+  /// than 1e-6 sizes lowers the merit, with a warning; or the report says why the pose is unsolved. Where the weight
+  /// turns out to be less than the constraints' multipliers, steps begin anew with a larger one, from the motion and
+  /// number 1 on. What is watched is E. \throws InputError for targets for which an edge of the posed cage shrinks to
+  /// nothing
   std::unique_ptr<const Posed<R>> pose(const StepWatcher& watch = {}) const override;
   std::unique_ptr<const Posed<R>> pose_to(const std::vector<Vec3<double>>& targets,
                                           const StepWatcher& watch = {}) const override;

@@ -75,8 +75,8 @@ struct Variational<R>::Prepared {
     return all;
   }
 
-  // Coefficients of a linear map about the place: vertices' images, then normal derivatives or, for shear modulus 1, an
-  // elastic body's tractions.
+  // A linear map about the place has as coefficients vertices' images, then normal derivatives or, for shear modulus 1,
+  // an elastic body's tractions.
   Matrix<R> coefficients_of(const Turn& map) const {
     Matrix<R> found = Matrix<R>::Zero(rows.units.size(), dimension());
     found.topRows(from_place.rows()) = from_place * map.transpose();

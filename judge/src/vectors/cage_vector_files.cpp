@@ -32,10 +32,10 @@ std::string cage_vectors_json(const CageVectorSet& set, const VectorOptions& opt
   return fmt::format(
       "{{\"format\":\"cageproof cage vectors 1\",\"version\":{},\"command\":{},\"kind\":\"{}\",\"cage\":\"{}\",\n"
       "\"vertices\":[{}],\n\"faces\":[{}],\n\"blocks\":[{}],\"seed\":{},\"unit\":\"{}\",\"bound\":{},"
-      "\"candidates\":{},\"without_defect\":{},\n\"defects\":{{{}}},\n\"vectors\":[\n{}\n]}}\n",
+      "\"candidates\":{},\"without_truth\":{},\"without_defect\":{},\n\"defects\":{{{}}},\n\"vectors\":[\n{}\n]}}\n",
       json_text(version), json_text(command), set.kind->name, set.cage, fmt::join(vertices, ","), fmt::join(faces, ","),
       fmt::join(blocks, ","), options.seed, format_hex(unit_roundoff<double>()), vector_bound, set.candidates,
-      set.without_defect, fmt::join(defects, ","), fmt::join(vectors, ",\n"));
+      set.without_truth, set.without_defect, fmt::join(defects, ","), fmt::join(vectors, ",\n"));
 }
 
 std::string cage_vectors_text(const CageVectorSet& set) {

@@ -106,7 +106,7 @@ std::vector<std::string_view> vector_cages() {
 
 CageVectorSet make_cage_vectors(std::string_view kind, std::string_view cage, const VectorOptions& options) {
   const CagePlaces places = places_in(cage);
-  CageVectorSet set{std::string(cage), &coordinate_kind_named(kind), places.question(), {}, {}, 0, 0};
+  CageVectorSet set{std::string(cage), &coordinate_kind_named(kind), places.question(), {}, {}};
   const int dimension = set.question.dimension;
   require_judged_kind(kind, dimension);
   const Cage solid = set.question.cage();
@@ -120,9 +120,9 @@ CageVectorSet make_cage_vectors(std::string_view kind, std::string_view cage, co
     if (has_truth[i] != 0) add_defects(found[i], set, places.side_of(found[i].point) == 0);
   });
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (has_truth[i] == 0) continue;
     ++set.candidates;
-    if (found[i].defects.empty()) ++set.without_defect;
+    if (has_truth[i] == 0) ++set.without_truth;
+    else if (found[i].defects.empty()) ++set.without_defect;
     else set.vectors.push_back(std::move(found[i]));
   }
   return set;

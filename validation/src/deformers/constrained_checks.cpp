@@ -40,7 +40,7 @@ constexpr double larger = 10;
 Eigen::MatrixXd products(const CoordinateBlock& block, const std::vector<double>& tensors,
                          const Eigen::MatrixXd& error) {
   const Eigen::Map<const Eigen::MatrixXd> entries(tensors.data(), error.rows(), block.size * block.entries());
-  const Eigen::MatrixXd all = entries.transpose() * error;
+  Eigen::MatrixXd all = entries.transpose() * error;
   if (block.shape.rows == 1) return all;
   Eigen::MatrixXd found = Eigen::MatrixXd::Zero(block.size, error.cols());
   for (Eigen::Index k = 0; k < found.rows(); ++k)

@@ -184,7 +184,9 @@ class DeformedFigure final : public PaperFigure {
       const auto deformer = deformation::prepare_constrained(
           *constrained, cage_of(panel), panel.constraints,
           {.evaluation = panel.evaluation, .parameters = values_in(panel, constrained->parameters)});
-      return {deformer, &deformer->coordinates(), deformer->pose()};
+      auto map = deformer->pose();
+      if (const std::string& why = map->report().unsolved; !why.empty()) throw InputError(why);
+      return {deformer, &deformer->coordinates(), std::move(map)};
     }
     auto& deformer = prepared[fmt::format("{} {} {}", cage_of(panel).name(), panel.method, parameters_text(panel))];
     if (!deformer) {

@@ -19,6 +19,8 @@ struct DeformationReport {
   std::vector<SolvedSystem> systems;
   std::vector<std::pair<std::string, double>> figures;  ///< energies, counts, by name
   std::vector<std::string> warnings;
+  /// Why the map is none that the method defines; empty where it is one.
+  std::string unsolved = {};
   /// About how far images are off because posed vertices are rounded to double, in sizes of the posed cage; 0 where
   /// that was not found.
   double pose_rounding = 0;

@@ -30,6 +30,7 @@ struct CageVectorSet {
   std::vector<CoordinateBlock> blocks;
   std::vector<CageVector> vectors;
   std::size_t candidates = 0, without_defect = 0;  ///< as of VectorSet
+  std::size_t without_truth = 0;                   ///< candidates at which two computations of the truth disagree
 };
 
 /// A wrong way to compute the coordinates of a cage.
@@ -43,8 +44,8 @@ std::vector<CageDefect> cage_defects();
 std::vector<std::string_view> vector_cages();
 
 /// Makes the vectors of a kind in one cage. Truths are sums of closed forms in 100 digits. Points where sums of the
-/// defining integrals, in 50 digits, do not agree to 28 are left out, and those that no defect fails. \throws
-/// InputError as require_judged_kind, and for an unknown cage
+/// defining integrals, in 50 digits, do not agree to 28 are left out and counted, and so are those that no defect
+/// fails. \throws InputError as require_judged_kind, and for an unknown cage
 CageVectorSet make_cage_vectors(std::string_view kind, std::string_view cage, const VectorOptions& options);
 
 /// JSON, one vector per line. \param command what made it
