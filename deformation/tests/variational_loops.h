@@ -47,6 +47,7 @@ struct Term {
 inline std::vector<Term> terms_of(const Constraints& constraints, const VariationalOptions& options,
                                   const std::vector<Mat>& nearest, int d) {
   std::vector<Term> terms;
+  terms.reserve(constraints.positions.size() + constraints.orientations.size() + nearest.size());
   for (const auto& [at, to] : constraints.positions) terms.push_back({at, 0, 1, to.head(d)});
   for (const auto& [at, jacobian] : constraints.orientations)
     terms.push_back({at, 1, options.alpha, jacobian.topLeftCorner(d, d)});
