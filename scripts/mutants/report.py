@@ -15,7 +15,8 @@ HEAD = """# Which deliberate defects does the suite catch?
 HOW = """## How defects are made
 
 A *mutant* is a copy of the project with one expression changed. Two *detectors* are asked of each mutant separately: `cageproof verify` with its defaults,
-and `./test`.
+and `./test`. A seed draws 420 places in the code that computes results, and 100 in the code that judges and shows them. `scripts/mutants/scope.py` names the
+files that are left out, and `scripts/mutants/operators.py` the kinds of changes.
 
 <!-- not run: a night -->
 
@@ -23,16 +24,15 @@ and `./test`.
     scripts/mutate --only closed_form --sample 9 # nine mutants of one room, drawn evenly from its files
     scripts/mutate report                        # only writes this page, from the last campaign
 
-The command works in `build/mutants` and never changes sources. A seed draws 420 places in the code that computes results, and 100 in the code that judges and
-shows them. `scripts/mutants/scope.py` names the files that are left out, with reasons, and `scripts/mutants/operators.py` the kinds of changes.
+The command works in `build/mutants` and never changes sources.
 
-* `verify` **catches** a mutant when a promise breaks, when it ends with an error, or when it takes far longer than usual.
-* Tests **catch** a mutant when a suite fails, crashes or takes that long, also only in a build with sanitizers, which CI runs.
+* `verify` **catches** a mutant when a promise breaks, when it ends with an error, or when it takes far longer than usual; tests when a suite fails, crashes or
+  takes that long, if only in a build with sanitizers.
 * A mutant is **open**, and counts in no share, until both detectors have caught it or have run all parts that reach it.
 * A mutant is **unreached** if no part of either detector runs the changed place.
 * A mutant is **equivalent** if nothing caught it and it provably changes no promised result. At most a tenth may be.
 
-Places that only the compiler evaluates do not count. Neither do mutants of code that was removed because the mutant showed that it was useless or wrong.
+Places that only the compiler evaluates do not count, and neither do mutants of code that was removed because of them.
 """
 
 OUTCOMES = ["verify only", "tests only", "both", "neither", "unreached", "equivalent", "open"]
