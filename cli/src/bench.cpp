@@ -193,7 +193,7 @@ void add_bench(CommandLine& line, const std::string& command_line) {
               "spent on pairs beyond the first 64, an evaluation and place; of whole coordinates, timed at least")
       .in_range(0.0, 3600.0)
       .showing_default();
-  command.option("--jobs", a->options.jobs, "threads for the errors; 0: one a core")
+  command.option("--jobs", a->options.jobs, "threads for the errors; 0: one per core")
       .in_range(0, 1024)
       .showing_default();
   a->judge.add_to(command);

@@ -13,8 +13,8 @@
 
 namespace cageproof::cli {
 
-/// A row a point. Columns: block by block; in a block all values, then all first derivatives, then all second ones, as
-/// far as they are asked for: `phi_0`, `phi_0_dx`, `phi_0_dxy`; of matrices `T_0_xy`, `T_0_xy_dz`, `T_0_xy_dzz`.
+/// One row per point. Columns: block by block; in a block all values, then all first derivatives, then all second ones,
+/// as far as they are asked for: `phi_0`, `phi_0_dx`, `phi_0_dxy`; of matrices `T_0_xy`, `T_0_xy_dz`, `T_0_xy_dzz`.
 struct CoordinateColumns {
   std::vector<std::string> names;
   std::vector<double> values;  ///< row by row

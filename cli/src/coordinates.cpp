@@ -304,7 +304,7 @@ void add_coordinates(CommandLine& line) {
       "--strict", a->strict,
       "exit with 1 where a point has no finite coordinates or derivatives, lies where they sum to zero, or is not "
       "given back to 8 digits");
-  command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  command.option("--jobs", a->jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();
   add_quiet(command);
   command.runs([a] { return run(*a); });
 }

@@ -400,7 +400,7 @@ void add_deform(CommandLine& line) {
               "an .npz of what multiplies the four layers, of biharmonic methods: V, N, L, D (maps x rows x dimension)")
       .taking("FILE");
   command.heading("Running");
-  command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  command.option("--jobs", a->jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();
   add_quiet(command);
   command.example("cageproof deform --cage cube --posed posed.obj --points mesh.obj --method green --out deformed.obj");
   command.runs([a] { return run(*a); });

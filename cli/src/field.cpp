@@ -257,7 +257,7 @@ void add_field(CommandLine& line, const std::string& command_line) {
           "slow evaluations")
       .in_range(2, 4096);
   a->judge.add_to(command);
-  command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  command.option("--jobs", a->jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();
   command.option("--colours", a->colours, "LOW HIGH: the same colours in every run; without, the field's own range")
       .values(2)
       .excludes(compare);

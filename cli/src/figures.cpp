@@ -43,7 +43,7 @@ void add_figures(CommandLine& line) {
               "a folder with NAME_Cage.obj, NAME_Cage_Deformed.obj and NAME.obj, of any number of names, instead of "
               "cages made in code")
       .taking("FOLDER");
-  command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  command.option("--jobs", a->jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();
   command.option("--out", a->out, "pictures, data and captions go to its folder figures/")
       .taking("FOLDER")
       .showing_default();

@@ -225,7 +225,7 @@ void add_hunt(CommandLine& line) {
   command.option("--check,--checks", a->checks, "which errors; without: what is promised").taking("CHECKS");
   command.option("--regime,--regimes", a->options.regimes, "where climbs start").taking("REGIMES").showing_default();
   command.option("--seed", a->options.seed, "64-bit seed").showing_default();
-  command.option("--jobs", a->options.jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  command.option("--jobs", a->options.jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();
   command.option("--out", a->out, "worst-case file to add the worst cases to").taking("FILE");
   a->judge.add_to(command);
   add_quiet(command);

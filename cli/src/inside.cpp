@@ -123,7 +123,7 @@ void add_inside(CommandLine& line) {
           "CSV on standard output if not given")
       .taking("FILE");
   command.heading("Running");
-  command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  command.option("--jobs", a->jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();
   add_quiet(command);
   command.example("cageproof inside --cage cube --points points.csv");
   command.runs([a] { return run(*a); });

@@ -258,7 +258,7 @@ void add_judge(CommandLine& line, const std::string& command_line) {
       .in_range(1, 1000000)
       .showing_default();
   command.option("--seed", a->options.seed, "64-bit seed of all samples").showing_default();
-  command.option("--jobs", a->options.jobs, "threads for the truths; 0: one a core")
+  command.option("--jobs", a->options.jobs, "threads for the truths; 0: one per core")
       .in_range(0, 1024)
       .showing_default();
   command.heading("The code's own promise");

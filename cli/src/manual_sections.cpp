@@ -10,9 +10,9 @@ const std::vector<ManualSection>& manual_sections() {
         "and embedded cages.",
         "Options that take several names (values NAMES, FORMULAS, EVALUATIONS, REGIMES, CHECKS) have one grammar, in "
         "every command: names and globs with commas between. In a glob * stands for any characters, ? for one, [ab] "
-        "for one of these; quote it, or the shell expands it. Each name and glob must be or match something; one that "
-        "does not is refused, with the name that may have been meant; an evaluation, to something that a formula asked "
-        "for has. Of what a glob matches, only what exists for the element and order is taken. Options that may repeat "
+        "for one of these; quote it, or the shell expands it. Each name must exist, and each glob must match a name; "
+        "otherwise it is refused, with the name that may have been meant. An evaluation must be one of a formula that "
+        "is asked for. A glob takes only those matches that exist for the element and order. Options that may repeat "
         "take lists as well.",
         "Families of rules have a number in their names: gauss-<N> with N from 1 to 256, line-<digits>. Any number in "
         "the range that `cageproof list --json` states is a name; globs match those that verification runs."},
@@ -33,24 +33,25 @@ const std::vector<ManualSection>& manual_sections() {
          "valid (quads), or --strict found points without usable coordinates, or outside the cage (verify)"},
         {"2",
          "the command line or the input is not understood, or a file cannot be read or written: one line on standard "
-         "error says which and why, and nothing is written half or deleted; a line that `eval` does not understand is "
-         "answered in its place, with `error`"},
+         "error says which and why, nothing is deleted, and no file is left unfinished; `eval` answers a line that it "
+         "does not understand in its place, with `error`"},
         {"128 + n", "ended by signal n: 130 after SIGINT (Ctrl-C), 143 after SIGTERM"}}},
       {"Signals",
-       {"SIGINT, SIGTERM, SIGHUP and SIGPIPE end the program by that signal, after it has removed what it was writing: "
-        "no half report, no file aside. What stood in its place stays as it was, with one exception: `verify --out` "
-        "over an earlier report of its own replaces that one's journal as soon as it starts to measure, since a run "
-        "that ends half may be gone on with (`verify --resume FOLDER`), and renames summary.json.gz and summary.md to "
-        "earlier.summary.json.gz and earlier.summary.md, so that who looks for a verdict finds none before the run has "
-        "one; the pages stay until the new ones are whole. Input that is refused before anything is measured (exit "
-        "code 2) leaves the folder as it is."},
+       {"SIGINT, SIGTERM, SIGHUP and SIGPIPE end the program by that signal. Before, it removes what it was writing, "
+        "and "
+        "earlier files stay as they were, with one exception: `verify --out` over an earlier report. As soon as it "
+        "starts to measure, it replaces the report's journal, so that a run that was stopped can be resumed (`verify "
+        "--resume FOLDER`). It also renames summary.json.gz and summary.md to earlier.summary.json.gz and "
+        "earlier.summary.md, so that nobody takes the earlier verdict for the new one. The earlier pages stay until "
+        "the new ones are complete. Input that is refused before anything is measured (exit code 2) leaves the folder "
+        "as it is."},
        {}},
       {"Files and folders that are written",
-       {"Every file and folder is written next to its place, as .NAME.partial-PID-N@HOST, and renamed into its place "
-        "when it is whole. The next command that writes to the same place removes what a killed process (SIGKILL, "
-        "power) left there, and leaves the files of a living process alone. A symbolic link stays, and its target is "
-        "replaced, or made if it is a file that does not exist yet. Pipes, devices and /dev/stdout are written to. "
-        "Empty values of options are refused.",
+       {"Every file and folder is written next to its place, as .NAME.partial-PID-N@HOST, and renamed when it is "
+        "complete. The next command that writes to the same place removes what a killed process (SIGKILL, loss of "
+        "power) left there, but no file of a process that still runs. A symbolic link stays: its target is replaced, "
+        "or made if it is a file that does not exist yet. Pipes, devices and /dev/stdout are written to. Empty values "
+        "of options are refused.",
         "A folder is replaced only by the same kind of command: a folder of `verify` by verify, merge and report, one "
         "of `field` by field, and likewise for `bench --out` and `figures`. Every such folder holds .cageproof-files, "
         "the list of the files written. If a folder holds anything else, or is of another kind, the command refuses, "
@@ -59,16 +60,13 @@ const std::vector<ManualSection>& manual_sections() {
       {"Output",
        {"Results go to standard output; progress, remarks and warnings go to standard error. On a terminal progress is "
         "one line with the time that is left, estimated from what was done so far; elsewhere it is one line per "
-        "minute, so "
-        "that a run of seconds writes none. --quiet leaves out progress and remarks; results, as broken promises are, "
-        "warnings and errors stay. The "
-        "same options and "
-        "seed give the same results, byte for byte, whatever --jobs is; only what is named environment differs (times, "
-        "machine, threads, commit)."},
+        "minute, so that a run of seconds writes none. --quiet leaves out progress and remarks, but not results (such "
+        "as broken promises), warnings and errors. The same options and seed give identical bytes, whatever --jobs is, "
+        "except in objects named environment (times, machine, threads, commit)."},
        {}},
       {"Environment",
        {},
-       {{"TMPDIR", "where files are put that live as long as the command; default: /tmp"},
+       {{"TMPDIR", "folder for files that are removed when the command ends; default: /tmp"},
         {"CAGEPROOF_PROGRESS", "seconds between lines of progress where standard error is no terminal; default: 60"},
         {"CAGEPROOF_SIMD",
          "the instruction set of batched coordinates and of closed forms of triangles far away: plain, avx2 or avx512; "

@@ -118,7 +118,7 @@ void add_vectors(CommandLine& line, const std::string& command_line) {
       .taking("GLOB");
   command.option("--cages", a->cages, "of --kinds").taking("GLOB").showing_default();
   command.option("--seed", a->options.seed, "of the samples").showing_default();
-  command.option("--jobs", a->options.jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  command.option("--jobs", a->options.jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();
   command.example("cageproof vectors --kinds mean_value --out vectors");
   command.example("cageproof vectors --formulas triangle.single_layer --out vectors");
   command.runs([a] { return run(*a); });

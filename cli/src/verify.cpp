@@ -191,7 +191,7 @@ void add_verify(CommandLine& line, const std::string& command_line) {
               "a CSV table of what each unit of work took of the processor, the costliest first")
       .taking("FILE");
   command.heading("Running");
-  command.option("--jobs", a->options.jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  command.option("--jobs", a->options.jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();
   command.option("--shard", a->shard, "I/N: measure part I of N, from 0, alone; `merge` makes the report")
       .taking("I/N")
       .showing_default();

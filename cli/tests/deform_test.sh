@@ -151,7 +151,7 @@ rm -f level_* stderr
 "$cageproof" coordinates --cage cube --points mesh.obj --kind biharmonic_affine --out corners.csv || fail "coordinates of corners"
 head -1 corners.csv | grep -q 'phi_7,psi_0_0,psi_0_1,psi_0_2,psi_1_0,.*psi_11_2,phibar_0' || fail "names of corners: $(head -1 corners.csv)"
 
-# A line a corner of each triangle.
+# One line per corner of each triangle.
 for i in $(seq 36); do echo "0 0 1"; done >corners.txt
 "$cageproof" deform "${common[@]}" --method biharmonic_1_3 --parameter neumann=affine --normal-derivatives corners.txt --out bent.csv || fail "affine normal derivatives"
 whole=$(tr -d ' \n' <bent.json)

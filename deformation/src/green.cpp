@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The deformer of Green coordinates (Lipman et al. 2008): f = phi V' + psi N', N' the posed normals, stretched. On
-// quads that are kept there is one a corner.
+// quads that are kept there is one per corner.
 #include "kept_quads.h"
 #include "linear_pose_derivative.h"
 #include "normal_slopes.h"

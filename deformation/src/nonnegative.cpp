@@ -47,9 +47,9 @@ struct QuadraticProgram {
 };
 
 // With A = Q T, T triangular, y = T s and c = Q^T b, |A s - b|^2 is |y - c|^2 and a constant. The Hessian is the
-// identity, with which SLSQP starts, so its first subproblem is the whole problem. Columns of a deficient matrix are
-// held by a little of the identity below it, because T has no inverse otherwise. Rows of T^-1 are scaled to norm one,
-// which changes no sign.
+// identity, with which SLSQP starts, so its first subproblem is the whole problem. Below a
+// deficient matrix stands a small multiple of the identity, because T has no inverse otherwise. Rows of T^-1 are scaled
+// to norm one, which changes no sign.
 ColumnSet program_columns(const Matrix<double>& matrix, const Matrix<double>& right, bool deficient) {
   const Eigen::Index n = matrix.cols(), rows = matrix.rows();
   Eigen::MatrixXd held = Eigen::MatrixXd::Zero(rows + n, n);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The normals of a posed bilinear quad, one a corner, stretched as the quad is.
+// The normals of a posed bilinear quad, one per corner, stretched as the quad is.
 #pragma once
 
 #include "cageproof/deformation/stretch.h"

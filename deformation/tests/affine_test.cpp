@@ -23,7 +23,7 @@ const std::vector<Method> methods{{"biharmonic_1_3", "regularised_1_3", {1, 3, 1
                                   {"biharmonic_1_2", "regularised_1_2", {1, 3, 1}, {1, 3, 0}},
                                   {"biharmonic_weber", "regularised_weber", {1, 3, 1}, {1, 3, 0}}};
 
-// Some normal derivatives, three a triangle or two a segment.
+// Some normal derivatives, three per triangle or two per segment.
 std::vector<Vec> some_normals(const Case& c) {
   const CageElements elements(c.cage, false, Triangulation::Shortest);
   std::vector<Vec> found;

@@ -18,7 +18,7 @@ Case thin(const std::string& name, const Corners& corners, const Corners& points
   return found;
 }
 
-// A pentagon whose last corner is cut, and one with a vertex on an edge, next to the end or in the middle.
+// A pentagon with a corner cut off, and one with another vertex on an edge, next to the edge's end or in its middle.
 Case cut(double t) {
   return thin("cut", {{-.1, .2}, {1.3, .1}, {1.2, 1.1 - t}, {1.2 - t, 1.1}, {.1, 1.4}}, {{.3, .5}, {.9, .9}});
 }

@@ -115,7 +115,7 @@ TEST(far_form, moments_keep_the_bound_of_the_distance_down_to_a_quarter_of_the_t
     // The edge form's 50 digits, less what it cancels, are no measure of smaller errors.
     const int most = static_cast<int>(36 / (2 * std::log10(ellipse_of(f))));
     worst = std::max(worst, worst_weight_ratio(f, std::min(5 + i % 40, most)));
-    // The other moments take over at the twenty points a side that kFarLimit allows.
+    // The other moments take over at the twenty points per side that kFarLimit allows.
     worst = std::max(worst, worst_ratio(f, std::min(5 + i % 16, most)));
   }
   EXPECT_LE(worst, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scripts of pages of cells: cells answer, every figure is listed, D3 draws curves and times.
+// The script of a page of cells: it answers clicks on cells, lists every figure, and draws curves and times by D3.
 // One function, because it waits: modules may wait by themselves, but browsers load none from a folder on disk.
 "use strict";
 (async () => {

@@ -11,7 +11,7 @@
 namespace cageproof::reports {
 namespace {
 
-// Dashes for each scalar, double first: those of the first evaluations, then those of evaluations that share a colour.
+// Dashes per scalar type, double first: of the first evaluations, then of evaluations that share a colour with these.
 const std::array<std::array<std::vector<int>, 2>, 3>& dashes() {
   static const std::array<std::array<std::vector<int>, 2>, 3> all{
       {{{{}, {8, 4}}}, {{{2, 3}, {8, 3, 2, 3}}}, {{{12, 3, 2, 3, 2, 3}, {4, 6}}}}};

@@ -80,7 +80,7 @@ Picture work_precision_picture(const WorkPrecision& result, WorkAxis axis, std::
           "set title {} noenhanced\nset xlabel {}\nset ylabel {} noenhanced\nset key outside right top noenhanced Left "
           "reverse\n",
           x.low, x.high, y.low, y.high * 3, gnuplot_text(fmt::format("{}, {}", result.subject, result.where)),
-          gnuplot_text(axis == WorkAxis::Nodes   ? "quadrature points an element"
+          gnuplot_text(axis == WorkAxis::Nodes   ? "quadrature points per element"
                        : result.timed == "point" ? "nanoseconds a point, all of the cage"
                                                  : "nanoseconds a pair of point and element"),
           gnuplot_text(fmt::format("largest {} [{}]", result.error, result.unit)));

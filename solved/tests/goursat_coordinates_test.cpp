@@ -293,14 +293,14 @@ TEST(goursat_coordinates, refuse_many_edges_by_name) {
   EXPECT_TRUE(accepts(coordinate_kind_named("harmonic_goursat"), polygon("48 edges", points)));
 }
 
-// Slopes along an edge of 1e-6 are a million times the values, and must not hide errors of values: the same cage,
-// turned, has other coordinates there, by some tenths.
+// Along an edge of length 1e-6, slopes are a million times as large as values. They must not hide errors of values,
+// which are some tenths here: the same cage, turned, has other coordinates.
 TEST(goursat_coordinates, state_what_values_miss_beside_a_short_edge) {
   const Cage cage = polygon("short edge", {{0, 0}, {1, 0}, {1, 1e-6}, {1.25, 1}, {0, 1}});
   EXPECT_GT(coordinates_of(cage, "biharmonic_goursat").solved().front().boundary_values, 0.05);
 }
 
-// Twenty-four corners next to flat, and slender cages: fewer functions a corner, higher polynomials.
+// Twenty-four corners next to flat, and slender cages: fewer functions per corner, higher polynomials.
 TEST(goursat_coordinates, of_round_and_slender_cages) {
   std::vector<std::array<double, 2>> points;
   points.reserve(24);

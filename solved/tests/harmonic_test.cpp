@@ -56,7 +56,7 @@ TEST(harmonic, have_affine_precision_wherever_the_system_has_full_rank) {
 }
 
 // The least solution of the singular system lacks the part of the normals that alternates from edge to edge: the
-// report says that there is one.
+// report says that the system is singular.
 TEST(harmonic, lose_affine_precision_by_the_singular_square_system) {
   const CageCoordinates h = coordinates(polygon(l_shape), "harmonic", {1, 0});
   ASSERT_EQ(h.solved().size(), 1u);

@@ -13,12 +13,11 @@ namespace cageproof::adaptive_qmvc {
 /// unknowns, by Newton's method with backtracking. Stops where |sum of lambda_i (v_i - x)| is below 4 u sizes or no
 /// step lessens it, and accepts at 900 u sizes. Derivatives follow from those of the prior by differentiating the
 /// conditions that t satisfies.
-/// \param prior one a vertex, of any sum, with derivatives by the point up to `order`. Negative ones count as constants
-/// of zero
-/// \param size the cage's size, in which lengths are measured
-/// \param result one a vertex, zero where the prior is not positive; NaN where there is no solution: the point is
-/// outside the convex hull of the vertices with positive prior, or so near to its border that the scalar's precision
-/// finds none. Derivatives are NaN where one of the prior is
+/// \param prior one per vertex, of any sum, with derivatives by the point up to `order`. Negative ones count as
+/// constants of zero \param size the cage's size, in which lengths are measured \param result one per vertex, zero
+/// where the prior is not positive; NaN where there is no solution: the point is outside the convex hull of the
+/// vertices with positive prior, or so near to its border that the scalar's precision finds none. Derivatives are NaN
+/// where one of the prior is
 template <Scalar R>
 void maximum_entropy(std::span<const Vec3<double>> vertices, const Result<R>& prior, const Vec3<R>& point, double size,
                      int order, Result<R>& result);

@@ -62,7 +62,7 @@ KindParameter level_parameter() {
 
 KindParameter neumann_parameter() {
   return {{.name = "neumann", .preset = 0, .lowest = -1, .highest = 2, .whole = true},
-          "normal derivatives of an element: one, or one a corner, affine between them",
+          "normal derivatives of an element: one, or one per corner, affine between them",
           {"constant", "affine"}};
 }
 

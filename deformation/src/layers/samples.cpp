@@ -62,8 +62,8 @@ double count_of_samples(const CageElements& elements, int level) {
   return count;
 }
 
-// A column an element, of affine layers that have one a corner. Of quads that are kept each corner has a density of its
-// own, as it has a normal derivative.
+// One column per element, made of affine layers, which have one per corner. Of quads that are kept each corner has a
+// density of its own, as it has a normal derivative.
 template <Scalar R>
 Matrix<R> of_densities(const Matrix<R>& columns, const CageElements& elements, Owner owner) {
   if (owner != Owner::Corner) return columns;

@@ -18,7 +18,7 @@ void check_weight(const char* name, double weight) {
     throw InputError(fmt::format("{} = {} is no weight: weights are finite and at least 0", name, weight));
 }
 
-// A row a point and derivative, from `first` on, for each component that is not served alike.
+// One row per point and derivative, from `first` on, for each component that is not served alike.
 template <Scalar R>
 void put_rows(const CageCoordinates& coordinates, const std::string& name, const std::vector<Vec3<double>>& points,
               int order, const R& root, Eigen::Index first, ConstraintRows<R>& rows) {

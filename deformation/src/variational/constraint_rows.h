@@ -10,7 +10,7 @@ namespace cageproof::deformation {
 /// are not finite; in so many dimensions
 void check_constraints(const Constraints& constraints, const VariationalOptions& options, int dimension);
 
-/// Rows in the order of positions (one a point), orientations and rotations (one an axis), Hessians (one a pair of
+/// Rows in the order of positions (one per point), orientations and rotations (one per axis), Hessians (one per pair of
 /// axes), times the square roots of their weights. Columns: coefficients of each block in turn. Coordinates that are
 /// matrices make all of them as many rows and columns as there are components, one after the other; others serve all
 /// components alike.

@@ -26,7 +26,8 @@ const CoordinateKind& kind_of_subspace(Subspace subspace) {
   return coordinate_kind_named(kinds[static_cast<std::size_t>(subspace)]);
 }
 
-// Coordinates for constraints that are sound in themselves: evaluations do not judge points.
+// Refuses constraints that are wrong in themselves before it makes the coordinates, because evaluations do not refuse
+// points.
 CageCoordinates checked_coordinates(const Cage& cage, const Constraints& constraints,
                                     const VariationalOptions& options) {
   check_constraints(constraints, options, cage.dimension());

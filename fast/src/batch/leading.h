@@ -19,7 +19,7 @@ inline Lanes leading(const Lanes* values, int vertices) {
   return lead;
 }
 
-/// Makes a leading coordinate's derivatives minus the sum of all others'. \param kept numbers a vertex, by order
+/// Makes a leading coordinate's derivatives minus the sum of all others'. \param kept numbers per vertex, by order
 inline void complete(Lanes* columns, const Columns& layout, const int (&kept)[3], int order, int vertices) {
   if (order == 0) return;
   const Lanes lead = leading(columns + layout.first[0][0], vertices);

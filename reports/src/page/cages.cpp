@@ -6,7 +6,7 @@
 namespace cageproof::reports {
 namespace {
 
-// One line a cage: how many promises, and which row comes nearest to its bound.
+// One line per cage: how many promises, and which row comes nearest to its bound.
 Data lines_of(const RunResult& result, RowKey::Section section) {
   Data list{Data::type::list};
   const ShownNames names = names_of_run(result);

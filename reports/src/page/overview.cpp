@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One line a formula and regime. What it shows is the recommended evaluation's; of the others a script can show each,
+// One line per formula and regime. It shows the recommended evaluation; a script can show each of the others,
 // from numbers that the page holds.
 #include "check_words.h"
 #include "figure.h"

@@ -57,7 +57,7 @@ class HarmonicInSpace final : public CoordinatesInDouble<HarmonicInSpace>,
            green_.is_exact_in(scalar);
   }
   bool is_prompt_in(ScalarKind scalar) const override {
-    // In multiprecision a layer takes parts of a millisecond, and there is one a piece and unknown.
+    // In multiprecision a layer takes parts of a millisecond, and there is one per piece and unknown.
     return scalar == ScalarKind::Float || scalar == ScalarKind::Double || unknowns() <= 150;
   }
   const SolvesSystems* systems() const override { return this; }
@@ -104,7 +104,7 @@ class HarmonicInSpace final : public CoordinatesInDouble<HarmonicInSpace>,
     std::once_flag once;
     std::unique_ptr<SurfaceLayer<R>> layer;
     std::vector<SolvedSystem> described;
-    Matrix<R> slopes;  // D transposed, in the frame: a row a vertex, a column a corner of a piece
+    Matrix<R> slopes;  // D transposed, in the frame: one row per vertex, one column per corner of a piece
   };
 
   int unknowns() const { return surface_.pieces() * densities_a_piece; }

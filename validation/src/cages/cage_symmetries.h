@@ -28,8 +28,8 @@ class CageSymmetries {
   /// unit, and relative to the block's norm. \pre the point lies off the cage
   std::map<std::string, CageError> errors_at(const Vec3<double>& point) const;
 
-  /// Relative difference, for the worst block, of the derivatives of order 1 and 2 along a direction and central
-  /// differences in 100 digits. \pre as errors_at
+  /// Relative difference between the derivatives of order 1 and 2 along a direction and central differences in 100
+  /// digits, for the worst block. \pre as errors_at
   std::array<double, 3> differences_at(const Vec3<double>& point) const;
 
  private:

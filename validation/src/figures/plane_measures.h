@@ -15,8 +15,8 @@ namespace cageproof::validation {
 std::optional<double> miss_of_cage(const Cage& cage, const std::vector<Vec3<double>>& posed,
                                    const std::vector<Vec3<double>>& points, const std::vector<Vec3<double>>& images);
 
-/// The share of triangles, two a quad, that are turned over: 0 for maps that may be one to one, above 0 for those that
-/// are not. \pre faces are counter-clockwise at rest
+/// The share of triangles, two per quad, that are turned over: 0 for maps that may be one to one, above 0 for those
+/// that are not. \pre faces are counter-clockwise at rest
 double folded_share(const std::vector<std::vector<int>>& faces, const std::vector<Vec3<double>>& images);
 
 /// By how many degrees an angle between two directions changes at most where a map has these derivatives by x and y:

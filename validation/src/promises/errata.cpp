@@ -75,7 +75,7 @@ std::vector<Unmeasured> unmeasured(const ErrataOptions& options) {
   return rows;
 }
 
-// A row a block.
+// One row per block.
 class ErrataMeasurement final : public Measurement {
  public:
   explicit ErrataMeasurement(const ErrataOptions& options) : rows_(unmeasured(options)) {}

@@ -332,7 +332,7 @@ constexpr std::array table{
         "derivatives are sums of elements, which cancel next to an edge where faces go on in one plane"},
     Row{"cage_block_error", "*", batched, "double", "*", 0, 2, 64,
         "a few roundings of the point and the corners in the cage's own frame, wherever the point is"},
-    // Deformers, in cage sizes: what each keeps, as formulas/deformation.md, Section 1, states it.
+    // Deformers, in cage sizes. docs/deform.md says what each method keeps.
     Row{"keeps_rigid", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
     Row{"keeps_scale", "?(quad_)green", "stretch=@(unit|product)", "double", "*", 0, 0, none, unit_normals},
     Row{"keeps_scale", "?(quad_)biharmonic_*", "@(normals=@(unit|product)|neumann=affine)", "double", "*", 0, 0, none,

@@ -14,7 +14,7 @@
 
 namespace cageproof::adaptive_qmvc::batch {
 
-/// Integrals over a quad with the measure du dv, one a corner.
+/// Integrals over a quad with the measure du dv, one per corner.
 struct QuadLayers {
   std::array<double, 4> twofold{};  ///< of Phi_k N.x/r^3
   std::array<double, 4> single{};   ///< of Phi_k/r

@@ -28,7 +28,7 @@ inline constexpr int kCount = 22;
 /// Which derivative of the bilinear basis functions an integrand has.
 enum class BasisPart : std::uint8_t { Phi, PhiU, PhiV, PhiUV };
 
-/// A polynomial in the line's parameter t, made of an earlier one times a factor.
+/// A polynomial in the line's parameter t: the product of an earlier polynomial and a factor.
 struct LineFactor {
   int parent;      ///< -1: the polynomial is 1
   int factor;      ///< of line_factor

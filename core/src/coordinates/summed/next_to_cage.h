@@ -19,7 +19,7 @@ class NextToCage {
   /// The elements next to a point.
   struct Found {
     int order = 3;               ///< the lowest derivative that takes more digits; 3 where none does
-    std::vector<char> elements;  ///< which elements take them, one an element; empty where none does
+    std::vector<char> elements;  ///< which elements take them, one per element; empty where none does
   };
   Found at(const Vec3<double>& point, int order) const;
 

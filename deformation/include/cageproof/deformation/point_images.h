@@ -60,7 +60,7 @@ struct DigitsReport {
 
 /// Images, no derivatives, to so many digits of the posed cage's size (the diagonal of its box), which are quicker than
 /// all digits where elements and points are many: far elements are summed together, and what that costs is bounded.
-/// \param reports one a map
+/// \param reports one per map
 /// \pre as images_of()
 /// \throws InputError where there are no such sums: there are for `green` by the evaluation `batched`
 PointImages images_to_digits(const CageCoordinates& coordinates, std::span<const Vec3<double>> points,

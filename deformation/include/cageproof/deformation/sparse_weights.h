@@ -40,7 +40,7 @@ struct SparseRow {
 /// Not in it: roundings of whoever multiplies rows with a pose.
 class SparseWeights {
  public:
-  /// \param reaches one a column, pose_reach(), with one or two groups \param tolerance how far a point may be moved,
+  /// \param reaches one per column, pose_reach(), with one or two groups \param tolerance how far a point may be moved,
   /// in the unit of length
   SparseWeights(std::vector<PoseReach> reaches, double tolerance, WeightFormat format);
 

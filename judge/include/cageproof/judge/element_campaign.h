@@ -18,7 +18,7 @@ struct ElementCampaignOptions {
   std::uint64_t seed = 1;
   std::string regimes = "*";  ///< names and globs
   bool single = false;        ///< in float
-  int jobs = 0;               ///< threads for the truths; 0: one a core
+  int jobs = 0;               ///< threads for the truths; 0: one per core
   /// The code in our convention (in_our_convention), which is asked instead of the code itself where it has another.
   std::optional<Evaluation> ours = {};
   /// Called as truths are found, from any thread.

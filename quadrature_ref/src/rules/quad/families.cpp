@@ -8,7 +8,7 @@ namespace cageproof::quadrature_ref {
 
 std::vector<RuleFamily> quad::families() {
   RuleFamily gauss{"gauss-<N>",
-                   fixed_facts("Gauss-Legendre in both parameters, N points a side"),
+                   fixed_facts("Gauss-Legendre in both parameters, N points per side"),
                    {"gauss-4", "gauss-8", "gauss-16"},
                    numbered("gauss-", 1, 256),
                    {"gauss-8", "gauss-32"}};

@@ -13,7 +13,7 @@ std::vector<RuleFamily> segment::families() {
                    numbered("gauss-", 1, 256)};
   gauss.with_blocks([]<Scalar R>(const auto&... given) { integrate_gauss<R>(given...); });
   RuleFamily near_singular{"near-singular-<N>",
-                           fixed_facts("graded towards the nearest point, N points a panel"),
+                           fixed_facts("graded towards the nearest point, N points per panel"),
                            {"near-singular-16"},
                            numbered("near-singular-", 2, 64)};
   near_singular.with_blocks([]<Scalar R>(const auto&... given) { integrate_near_singular<R>(given...); });

@@ -19,7 +19,7 @@ std::optional<int> three_quad_side(std::string_view name) {
 
 std::vector<RuleFamily> triangle::families() {
   RuleFamily gauss{"gauss-<N>",
-                   fixed_facts("Gauss-Legendre on the collapsed square, N points a side"),
+                   fixed_facts("Gauss-Legendre on the collapsed square, N points per side"),
                    {"gauss-4", "gauss-8", "gauss-16"},
                    numbered("gauss-", 1, 256)};
   gauss.with_blocks([]<Scalar R>(const auto&... given) { integrate_gauss<R>(given...); });
@@ -30,7 +30,7 @@ std::vector<RuleFamily> triangle::families() {
                          {"three-quad-75", "three-quad-300", "three-quad-1200", "three-quad-7500"}};
   three_quads.with_blocks([]<Scalar R>(const auto&... given) { integrate_three_quads<R>(given...); });
   RuleFamily near_singular{"near-singular-<N>",
-                           fixed_facts("polar coordinates about the nearest point, N points a panel"),
+                           fixed_facts("polar coordinates about the nearest point, N points per panel"),
                            {"near-singular-16"},
                            numbered("near-singular-", 2, 64)};
   near_singular.with_blocks([]<Scalar R>(const auto&... given) { integrate_near_singular<R>(given...); });

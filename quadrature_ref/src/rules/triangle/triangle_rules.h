@@ -12,7 +12,7 @@
 
 namespace cageproof::quadrature_ref::triangle {
 
-/// N x N Gauss-Legendre points on the square collapsed onto the triangle (towards corner 0): N points a side.
+/// N x N Gauss-Legendre points on the square collapsed onto the triangle (towards corner 0): N points per side.
 /// Exact for polynomials of degree 2N - 2. Converges geometrically with the ratio of the point's distance to the
 /// triangle's size; useless closer than the nodes' spacing. On the triangle: whatever the nodes give (a layer's direct
 /// value).

@@ -85,7 +85,7 @@ std::string figure_png(const FigureSheet& sheet);
 struct FigureEntry {
   FigureSheet sheet;              ///< its panels have no data
   std::string picture;            ///< "figures/t24-bend.png"
-  std::vector<std::string> data;  ///< "figures/t24-bend.green.vtp", one a panel
+  std::vector<std::string> data;  ///< "figures/t24-bend.green.vtp", one per panel
 };
 
 /// Writes picture and data into the folder's subfolder `figures`, which exists.

@@ -19,7 +19,7 @@ Vec3<double> random_vector(RandomStream& random, double reach) {
   return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
 }
 
-// A valid quad of size 1 around a random point. One printed sum depends on where the origin is.
+// A valid quad of size 1 around a random point, because one printed sum depends on where the origin is.
 Quad<double> random_quad(RandomStream& random) {
   const Vec3<double> middle = random_vector(random, 1);
   for (;;) {

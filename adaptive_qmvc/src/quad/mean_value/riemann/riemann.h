@@ -37,7 +37,7 @@ struct PoleGuard {
   double mean_low = 0.05, mean_high = 0.2;
   /// The range of the cosine between wbar and the part of Omega across the null vector, 1 for an exact Omega.
   double cosine_low = 0.4, cosine_high = 0.8;
-  NormCorrection correction = NormCorrection::Guarded;  ///< which the ranges are for
+  NormCorrection correction = NormCorrection::Guarded;  ///< the ranges are those of Guarded
 };
 
 /// |m_q| over the mean vectors of the quad's two triangulations, in [0, 1].

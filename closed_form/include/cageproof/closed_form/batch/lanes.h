@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A vector of doubles, one a point, and the functions that kernels take of it. One source for every instruction set:
+// A vector of doubles, one per point, and the functions that kernels take of it. One source for every instruction set:
 // the namespace has its name, so that no function of one is taken for another's.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Double-doubles, one a point, and the functions that kernels take of them. Operations are good to 2^-100 of their
+// Double-doubles, one per point, and the functions that kernels take of them. Operations are good to 2^-100 of their
 // operands, not of their results: sums that cancel keep the error of their terms. Compile without contraction of
 // products and sums.
 #pragma once

@@ -39,13 +39,13 @@ class CageElements {
   std::vector<Vec3<double>> corners(std::size_t element) const;
   /// How many vertices, elements, corners of elements, or normals.
   std::size_t count(Owner owner) const;
-  /// The coordinates that an element has a share in, one or one a corner, where each belongs to such an owner.
+  /// The coordinates that an element has a share in, one or one per corner, where each belongs to such an owner.
   std::span<const int> shares_of(std::size_t element, Owner owner) const;
   /// The element that a coordinate belongs to. \pre it is of an element, a corner or a normal
   std::size_t element_of(std::size_t coordinate, Owner owner) const;
   /// Outward unit normals of flat elements; of quads, of their area vectors.
   const std::vector<Vec3<double>>& normals() const { return normals_; }
-  /// The outward unit normal that a coordinate multiplies: of its element, or, where quads have one a corner, of the
+  /// The outward unit normal that a coordinate multiplies: of its element, or, where quads have one per corner, of the
   /// bilinear surface there. \pre the coordinate is not of a vertex
   Vec3<double> normal_of(std::size_t coordinate, Owner owner) const;
   /// xi_u x xi_v at a quad's corners: the area element there, whose unit vector normal_of() is. One for flat elements.

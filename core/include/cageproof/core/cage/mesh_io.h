@@ -13,10 +13,10 @@ struct Mesh {
   std::vector<Vec3<double>> vertices;   ///< in file order
   std::vector<std::vector<int>> faces;  ///< polygons as in the file; empty for a point set
   std::vector<std::size_t> face_lines =
-      {};                              ///< one a face; empty where the file has no lines, or the reader tells none
+      {};                              ///< one per face; empty where the file has no lines, or the reader tells none
   std::vector<int> face_numbers = {};  ///< as CageOptions::face_numbers
   std::vector<std::array<int, 2>> segments = {};  ///< of polylines, from vertex to vertex, in file order
-  std::vector<std::size_t> segment_lines = {};    ///< one a segment, as face_lines
+  std::vector<std::size_t> segment_lines = {};    ///< one per segment, as face_lines
   std::vector<std::string> warnings = {};         ///< "file: what was left out", for people to read
   bool is_flat = false;                           ///< points are written with two coordinates
   std::size_t first_height = 0;  ///< the line of the first third coordinate that is a height over a map; 0 for none

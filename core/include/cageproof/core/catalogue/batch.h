@@ -46,7 +46,7 @@ struct Statement {
 /// Where a batch's tensors go. The caller owns the memory, and has set it to zero where tensors are added.
 ///
 /// The tensors of derivative order o of point p begin at tensors[o] + p * stride[o]; there, tensor k of the element
-/// (one a corner, or the one) begins at slot(k) * block(o). Slots let an element's tensors be added straight to the
+/// (one per corner, or the one) begins at slot(k) * block(o). Slots let an element's tensors be added straight to the
 /// coordinates of a cage.
 template <Scalar R>
 struct BatchOutput {
@@ -56,7 +56,7 @@ struct BatchOutput {
   int dim = 3;                      ///< of the space
   std::span<const int> slots{};     ///< empty: tensor k has slot k
   bool add = false;                 ///< add to what is there, instead of storing
-  Statement* statements = nullptr;  ///< one a point, or null
+  Statement* statements = nullptr;  ///< one per point, or null
 
   std::size_t slot(std::size_t k) const { return slots.empty() ? k : static_cast<std::size_t>(slots[k]); }
   /// Numbers of one tensor of that derivative order.

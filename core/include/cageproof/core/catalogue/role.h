@@ -9,7 +9,7 @@ namespace cageproof {
 
 /// The purpose of an evaluation.
 enum class Role {
-  Recommended,  ///< the one to use, one a formula at most
+  Recommended,  ///< the one to use, at most one per formula
   ClosedForm,   ///< algebra kept to a promise by more digits; in multiprecision it may stand in for the integral
   Plain,        ///< the closed form in the scalar's own arithmetic: its errors are shown, not promised away
   Stated,       ///< full digits by a bound of its own error that it states

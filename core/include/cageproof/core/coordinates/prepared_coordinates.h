@@ -40,7 +40,7 @@ struct CoordinateBlock {
 template <Scalar R>
 struct CoordinateTable {
   std::array<std::vector<R>, 3> tensors;
-  std::array<std::size_t, 3> stride{};  ///< numbers a point
+  std::array<std::size_t, 3> stride{};  ///< numbers per point
 };
 
 /// The data that coordinates are multiplied with, such as deformed vertices and normals. Block b's numbers lie as
@@ -54,7 +54,7 @@ struct CageData {
 /// where coordinates that are numbers have one row.
 struct AppliedTable {
   std::array<std::vector<double>, 3> tensors;
-  std::array<std::size_t, 3> stride{};  ///< numbers a point
+  std::array<std::size_t, 3> stride{};  ///< numbers per point
 };
 
 /// A linear system that was solved to prepare a kind for its cage.

@@ -14,9 +14,8 @@ namespace cageproof {
 /// \pre triangles have an area, and every edge is run along as often in one direction as in the other
 std::optional<int> winding_number(std::span<const Triangle<double>> triangles, const Vec3<double>& point);
 
-/// The winding number of closed polygons in the plane, 1 inside those that run counter-clockwise; nothing for a point
-/// on
-/// one of the segments.
+/// The winding number of closed polygons in the plane: 1 inside those that run counter-clockwise, and nothing for a
+/// point on one of the segments.
 std::optional<int> winding_number(std::span<const Segment<double>> segments, const Vec3<double>& point);
 
 }  // namespace cageproof
