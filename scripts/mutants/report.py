@@ -26,8 +26,8 @@ files that are left out, and `scripts/mutants/operators.py` the kinds of changes
 
 The command works in `build/mutants` and never changes sources.
 
-* `verify` **catches** a mutant when a promise breaks, when it ends with an error, or when it takes far longer than usual; tests when a suite fails, crashes or
-  takes that long, if only in a build with sanitizers.
+* `verify` **catches** a mutant when a promise breaks, when it ends with an error, or when it takes far longer than usual.
+* Tests **catch** a mutant when a suite fails, crashes or takes that long, if only in a build with sanitizers.
 * A mutant is **open**, and counts in no share, until both detectors have caught it or have run all parts that reach it.
 * A mutant is **unreached** if no part of either detector runs the changed place.
 * A mutant is **equivalent** if nothing caught it and it provably changes no promised result. At most a tenth may be.
