@@ -73,9 +73,9 @@ class ValidQuadsFigure final : public PaperFigure {
       sheet.panels.push_back(std::move(panel));
     }
     sheet.text = fmt::format(
-        "Bilinear quads above, and below the one of the projections along the normals of three successive corners that "
-        "is the least convex. {} are valid, because all of their projections are convex, and {} are not. \"least "
-        "sine\" is the least of the projection's angles: 1 for a right one, negative where it is not convex. Red faces "
+        "Above: bilinear quads. Below: the least convex of each quad's projections along the normals of three "
+        "successive corners. {} quads are valid, because all of their projections are convex, and {} are not. \"least "
+        "sine\" is that of the projection's angles: 1 for right angles, negative where it is not convex. Red faces "
         "show their inner side: the planar quads fold over there.",
         valid, quads_.size() - valid);
     for (const NamedQuad& one : quads_) sheet.panels.push_back(projected(one, sheet.view));
