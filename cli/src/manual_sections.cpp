@@ -37,9 +37,8 @@ const std::vector<ManualSection>& manual_sections() {
          "does not understand in its place, with `error`"},
         {"128 + n", "ended by signal n: 130 after SIGINT (Ctrl-C), 143 after SIGTERM"}}},
       {"Signals",
-       {"SIGINT, SIGTERM, SIGHUP and SIGPIPE end the program by that signal. Before, it removes what it was writing, "
-        "and "
-        "earlier files stay as they were, with one exception: `verify --out` over an earlier report. As soon as it "
+       {"SIGINT, SIGTERM, SIGHUP and SIGPIPE end the program by that signal, after it has removed what it was writing. "
+        "Earlier files stay as they were, with one exception: `verify --out` over an earlier report. As soon as it "
         "starts to measure, it replaces the report's journal, so that a run that was stopped can be resumed (`verify "
         "--resume FOLDER`). It also renames summary.json.gz and summary.md to earlier.summary.json.gz and "
         "earlier.summary.md, so that nobody takes the earlier verdict for the new one. The earlier pages stay until "
