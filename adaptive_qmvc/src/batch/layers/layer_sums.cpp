@@ -17,7 +17,7 @@ constexpr double kFarthest = 0x1p300;
 // Corners of a quad, and of the same one turned (FaceTables).
 constexpr std::array<std::array<int, 4>, 2> kCorners{{{0, 1, 2, 3}, {0, 3, 2, 1}}};
 
-// What the values of kKernels are multiplied with to be integrals of QuadLayers.
+// The quotient of an integral of QuadLayers and the value of its formula.
 double integral_over_value(std::size_t layer) {
   constexpr std::array<double, 4> times_pi{4, 4, -8, 8};
   return times_pi[layer] * pi<double>();

@@ -29,8 +29,8 @@ struct LayerTables {
   /// Per face: its first number among Owner::Normal, and whether it is a quad.
   std::vector<int> first;
   std::vector<char> is_quad;
-  /// Of harmonic layers, and of biharmonic ones where they are wanted: the factors that make the caller's double layers
-  /// of integrals in the geometry's unit, and those of single layers, by Owner::Normal, with the area element.
+  /// For harmonic layers, and for biharmonic ones where they are wanted, the factors that make the caller's double
+  /// layers of integrals in the geometry's unit, and those of single layers, by Owner::Normal, with the area element.
   struct Factors {
     double double_layer;
     std::vector<double> single_layer;
@@ -38,7 +38,7 @@ struct LayerTables {
   std::vector<Factors> factors;
   std::vector<double> area;  ///< of faces that are triangles: twice their area, in the geometry's unit
 
-  /// Blocks of numbers: a double layer a vertex and a single layer a normal, of each of `factors`.
+  /// The number of blocks. Each of `factors` has two: a double layer per vertex, and a single layer per normal.
   std::size_t blocks() const { return 2 * factors.size(); }
 };
 
