@@ -141,9 +141,12 @@ std::vector<std::string> register_scaling_benchmarks(const std::vector<std::shar
       for (int times = 0; cages->faces(times, kind.keeps_quads) <= scaling.most_faces(); ++times)
         scaling.add_faces(cages, times);
       // Other shapes, sixteenfold finer each time.
-      for (const auto& other : others)
-        for (int times = 0; evaluation.whole && other->faces(times, kind.keeps_quads) <= kMostFaces; times += 2)
-          if (accepts(kind, other->coarsest().cage)) scaling.add_faces(other, times);
+      for (const auto& other : others) {
+        const Cage& cage = other->coarsest().cage;
+        if (!evaluation.whole || !accepts(kind, cage) || (kind.keeps_quads && !cage.has_quads())) continue;
+        for (int times = 0; other->faces(times, kind.keeps_quads) <= kMostFaces; times += 2)
+          scaling.add_faces(other, times);
+      }
     }
   }
   return names;
