@@ -22,10 +22,13 @@ namespace cageproof::benchmarks {
 std::vector<std::string> register_cage_benchmarks(const std::shared_ptr<const DeformedCage>& what);
 
 /// Registers `scaling/<kind>/<points|faces|threads>/<evaluation>/<count>`: values of green, biharmonic, somigliana,
-/// mean_value, quad_mean_value and quad_green by timed_evaluations, whole ones and the recommended one, in an icosphere
-/// (a cube of quads for kinds that keep them): over the number of points, of elements (of subdivided cages), and of
-/// threads. Time is the clock's: counters `ns_per_pair`, `points`, `elements` and `threads`. And
-/// `scaling/inside/faces/tree/<count>`: exact winding numbers of subdivided icospheres. \returns the names
-std::vector<std::string> register_scaling_benchmarks();
+/// mean_value and the kinds that keep quads by timed_evaluations, whole ones and the recommended one: over points, 1 to
+/// 1,000,000, and threads, in an icosphere (a cube of quads for kinds that keep them), and over faces, 12 to 100,000,
+/// in icospheres (cubes) cut finer, in `long-` and `graded-` ones, and in the given cages, `<cage>-`. Sums of single
+/// elements take fewer. Cages are made as benchmarks run, and points get fewer where faces are many, so that a pass
+/// takes some ten million pairs. Time is the processor's, over threads the clock's: counters `ns_per_pair`, `points`,
+/// `elements` and `threads`. And `scaling/inside/faces/tree/<count>`: exact winding numbers. \returns the names
+std::vector<std::string> register_scaling_benchmarks(
+    const std::vector<std::shared_ptr<const DeformedCage>>& given = {});
 
 }  // namespace cageproof::benchmarks

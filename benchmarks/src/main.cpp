@@ -8,6 +8,7 @@
 #include "pair_benchmarks.h"
 #include "pairs.h"
 #include "peer_benchmarks.h"
+#include "scaled_cages.h"
 #include "yardstick.h"
 
 #include "cageproof/closed_form/batch/instruction_set.h"
@@ -99,8 +100,9 @@ int main(int argc, char** argv) {
   for (const auto& cage : cages) register_cage_benchmarks(cage);
   for (const char* name : {"icosphere", "comb"})
     register_peer_benchmarks(std::make_shared<const DeformedCage>(embedded_deformed_cage(name, points)));
+  register_peer_benchmarks(spheres(points).cut(2));
   for (const auto& cage : cages) register_peer_benchmarks(cage);
-  register_scaling_benchmarks();
+  register_scaling_benchmarks(cages);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

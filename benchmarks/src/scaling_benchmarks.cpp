@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cage_benchmarks.h"
+#include "scaled_cages.h"
 #include "timed_run.h"
 
 #include "cageproof/core/cage/winding_numbers.h"
@@ -7,41 +8,17 @@
 
 #include <fmt/format.h>
 
-#include <map>
-
 namespace cageproof::benchmarks {
 namespace {
 
-// A cage whose faces are each cut in four, at the midpoints of edges and, of quads, of faces.
-DeformedCage subdivided(const DeformedCage& coarse) {
-  std::vector<Vec3<double>> vertices = coarse.cage.vertices();
-  std::map<std::vector<int>, int> midpoints;
-  const auto middle_of = [&](std::vector<int> of) {
-    std::ranges::sort(of);
-    const auto [found, is_new] = midpoints.try_emplace(of, static_cast<int>(vertices.size()));
-    if (is_new) {
-      Vec3<double> sum = Vec3<double>::Zero();
-      for (const int v : of) sum += vertices[v];
-      vertices.push_back(sum / static_cast<double>(of.size()));
-    }
-    return found->second;
-  };
-  std::vector<Face> faces;
-  for (const Face& face : coarse.cage.faces()) {
-    const int corners = face.size();
-    std::array<int, 4> middles{};
-    for (int k = 0; k < corners; ++k) middles[k] = middle_of({face.vertices[k], face.vertices[(k + 1) % corners]});
-    if (corners == 3) faces.push_back({{middles[0], middles[1], middles[2], -1}});
-    for (int k = 0; k < corners; ++k) {
-      const int last = middles[(k + corners - 1) % corners];
-      if (corners == 3) faces.push_back({{face.vertices[k], middles[k], last, -1}});
-      else
-        faces.push_back({{face.vertices[k], middles[k],
-                          middle_of({face.vertices[0], face.vertices[1], face.vertices[2], face.vertices[3]}), last}});
-    }
-  }
-  return {coarse.name, coarse.cage.with(vertices, faces), vertices, coarse.points};
-}
+// Pairs of a point and a face that a pass over a large cage takes about, and the fewest points.
+constexpr std::size_t kPairs = 10'000'000, kFewest = 128;
+constexpr std::size_t kMostFaces = 100'000, kMostPoints = 1'000'000;
+// The points of all cages, of which those of fine ones take a part.
+constexpr int kAllPoints = 16384;
+constexpr std::size_t kPointsOfCages = 1024;
+// Evaluations that sum elements take microseconds per pair.
+constexpr std::size_t kMostFacesOfSums = 5'120, kMostPointsOfSums = 256, kPointsOfSums = 16;
 
 struct Scaled {
   CageCoordinates coordinates;
@@ -53,22 +30,62 @@ class Scaling {
   Scaling(const CoordinateKind& of, const TimedEvaluation& by, std::vector<std::string>& into)
       : kind_(of), evaluation_(by), names_(into) {}
 
-  void add(std::string_view over, std::size_t count, const DeformedCage& in, std::size_t points, int threads) {
-    const auto scaled = std::make_shared<const Scaled>(Scaled{
-        CageCoordinates(in.cage, kind_, CoordinateOptions{.evaluation = evaluation_.name}), spread(in.points, points)});
+  std::size_t most_faces() const { return evaluation_.whole ? kMostFaces : kMostFacesOfSums; }
+
+  void add_faces(const std::shared_ptr<const ScaledCages>& cages, int times) {
+    const std::size_t points =
+        evaluation_.whole ? std::min(kPointsOfCages, std::max(kFewest, kPairs / cages->faces(times, kind_.keeps_quads)))
+                          : kPointsOfSums;
+    add(
+        "faces", cages->name(times, kind_.keeps_quads), [cages, times] { return cages->cut(times); }, points, 1);
+  }
+  void add_points(const std::shared_ptr<const ScaledCages>& cages) {
+    for (std::size_t points = 1; points <= most_points(); points *= evaluation_.whole && points == 1 ? 64 : 16)
+      add(
+          "points", fmt::format("{}", points), [cages] { return cages->cut(0); }, points, 1);
+    if (evaluation_.whole)
+      add(
+          "points", fmt::format("{}", kMostPoints), [cages] { return with_points(cages->coarsest(), kMostPoints); },
+          kMostPoints, 1);
+  }
+  void add_threads(const std::shared_ptr<const ScaledCages>& cages) {
+    for (const int threads : {1, 2})
+      add(
+          "threads", fmt::format("{}", threads), [cages] { return cages->cut(0); }, most_points(), threads);
+  }
+
+ private:
+  std::size_t most_points() const { return evaluation_.whole ? kAllPoints : kMostPointsOfSums; }
+
+  // The cage's points again and again, each a little nearer to the origin.
+  static std::shared_ptr<const DeformedCage> with_points(DeformedCage in, std::size_t count) {
+    const std::size_t own = in.points.size();
+    in.points.reserve(count);
+    for (std::size_t i = own; i < count; ++i)
+      in.points.push_back(in.points[i % own] * (1 - static_cast<double>(i) / static_cast<double>(2 * count)));
+    return std::make_shared<const DeformedCage>(std::move(in));
+  }
+
+  // \param make called when the benchmark runs: large cages take seconds
+  template <class Make>
+  void add(std::string_view over, std::string_view count, Make make, std::size_t points, int threads) {
     names_.push_back(fmt::format("scaling/{}/{}/{}/{}", kind_.name, over, evaluation_.name, count));
-    add_benchmark(names_.back(), [scaled, threads](benchmark::State& state) {
-      const std::size_t elements = scaled->coordinates.elements().count();
-      const double seconds = time_fill(state, scaled->coordinates, scaled->points, 0, threads, Clock::Wall);
-      count_pairs(state, seconds, scaled->points.size(), elements);
+    add_benchmark(names_.back(), [=, &kind = kind_, evaluation = evaluation_.name](benchmark::State& state) {
+      const std::shared_ptr<const DeformedCage> in = make();
+      const Scaled scaled{CageCoordinates(in->cage, kind, CoordinateOptions{.evaluation = evaluation}),
+                          spread(in->points, points)};
+      const std::size_t elements = scaled.coordinates.elements().count();
+      // Times of one thread are its own: whatever else runs adds to the clock's.
+      const Clock clock = threads == 1 && over != "threads" ? Clock::Processor : Clock::Wall;
+      const double seconds = time_fill(state, scaled.coordinates, scaled.points, 0, threads, clock);
+      count_pairs(state, seconds, scaled.points.size(), elements);
       state.counters["elements"] = static_cast<double>(elements);
       state.counters["threads"] = threads;
     });
   }
 
- private:
   const CoordinateKind& kind_;
-  const TimedEvaluation& evaluation_;
+  TimedEvaluation evaluation_;
   std::vector<std::string>& names_;
 };
 
@@ -86,12 +103,14 @@ std::vector<Vec3<double>> in_box(const Cage& cage, int count) {
 }
 
 // Exact winding numbers around random points.
-void add_winding_numbers(const Cage& cage, int points, std::vector<std::string>& names) {
-  names.push_back(fmt::format("scaling/inside/faces/tree/{}", cage.faces().size()));
-  const auto windings = std::make_shared<const WindingNumbers>(CageElements(cage, false, Triangulation::Shortest));
-  add_benchmark(names.back(), [windings, asked = in_box(cage, points)](benchmark::State& state) {
+void add_winding_numbers(const std::shared_ptr<const ScaledCages>& cages, int times, std::vector<std::string>& names) {
+  names.push_back(fmt::format("scaling/inside/faces/tree/{}", cages->name(times, false)));
+  add_benchmark(names.back(), [cages, times](benchmark::State& state) {
+    const Cage cage = cages->cut(times)->cage;
+    const WindingNumbers windings(CageElements(cage, false, Triangulation::Shortest));
+    const std::vector<Vec3<double>> asked = in_box(cage, kAllPoints);
     for (auto iteration : state)
-      for (const Vec3<double>& point : asked) benchmark::DoNotOptimize(windings->around(point));
+      for (const Vec3<double>& point : asked) benchmark::DoNotOptimize(windings.around(point));
     state.counters["points"] = static_cast<double>(asked.size());
     state.counters["points_per_second"] =
         benchmark::Counter(static_cast<double>(asked.size()), benchmark::Counter::kIsIterationInvariantRate);
@@ -100,31 +119,34 @@ void add_winding_numbers(const Cage& cage, int points, std::vector<std::string>&
 
 }  // namespace
 
-std::vector<std::string> register_scaling_benchmarks() {
-  constexpr int all_points = 16384;
+std::vector<std::string> register_scaling_benchmarks(const std::vector<std::shared_ptr<const DeformedCage>>& given) {
   std::vector<std::string> names;
-  DeformedCage sphere = embedded_deformed_cage("icosphere", 1);
-  for (int i = 0; i < 6; ++i) {
-    add_winding_numbers(sphere.cage, all_points, names);
-    sphere = subdivided(sphere);
-  }
-  for (const char* name : {"green", "biharmonic", "somigliana", "mean_value", "quad_mean_value", "quad_green"}) {
+  const auto share = [](ScaledCages cages) { return std::make_shared<const ScaledCages>(std::move(cages)); };
+  const auto sphere = share(spheres(kAllPoints)), box = share(cubes(kAllPoints));
+  std::vector others{share(long_spheres(kAllPoints)), share(graded_spheres(kAllPoints))};
+  for (const auto& cage : given) others.push_back(share({cage->name + "-", *cage}));
+  for (int times = 0; sphere->faces(times, false) <= kMostFaces; ++times) add_winding_numbers(sphere, times, names);
+  for (const char* name :
+       {"green", "biharmonic", "somigliana", "mean_value", "quad_mean_value", "quad_green", "quad_biharmonic"}) {
     const CoordinateKind& kind = coordinate_kind_named(name);
-    std::vector<DeformedCage> cages{embedded_deformed_cage(kind.keeps_quads ? "cube" : "icosphere", all_points)};
-    // Drawn towards the origin, which is inside: off the faces and not beyond them, as most points of a mesh are.
-    for (Vec3<double>& p : cages.front().points) p *= 0.5;
-    for (int i = 0; i < 3; ++i) cages.push_back(subdivided(cages.back()));
-    for (const TimedEvaluation& evaluation : timed_evaluations(kind, cages.front().cage)) {
-      const auto found =
-          EvaluationRegister::instance().find(formulas_of(kind, cages.front().cage).back()->name, evaluation.name);
+    const auto& cages = kind.keeps_quads ? box : sphere;
+    const Cage& coarsest = cages->coarsest().cage;
+    for (const TimedEvaluation& evaluation : timed_evaluations(kind, coarsest)) {
+      const auto found = EvaluationRegister::instance().find(formulas_of(kind, coarsest).back()->name, evaluation.name);
       if (!evaluation.whole && found->role() != Role::Recommended) continue;
       Scaling scaling(kind, evaluation, names);
-      // Slow evaluations at fewer points.
-      const std::size_t most = evaluation.whole ? all_points : 256;
-      for (std::size_t points = most / 256; points <= most; points *= 16)
-        scaling.add("points", points, cages.front(), points, 1);
-      for (const DeformedCage& cage : cages) scaling.add("faces", cage.cage.faces().size(), cage, most / 16, 1);
-      for (const int threads : {1, 2}) scaling.add("threads", threads, cages.front(), most, threads);
+      scaling.add_points(cages);
+      scaling.add_threads(cages);
+      if (!kind.keeps_quads) scaling.add_faces(box, 0);
+      for (int times = 0; cages->faces(times, kind.keeps_quads) <= scaling.most_faces(); ++times)
+        scaling.add_faces(cages, times);
+      // Other shapes, sixteenfold finer each time.
+      for (const auto& other : others) {
+        const Cage& cage = other->coarsest().cage;
+        if (!evaluation.whole || !accepts(kind, cage) || (kind.keeps_quads && !cage.has_quads())) continue;
+        for (int times = 0; other->faces(times, kind.keeps_quads) <= kMostFaces; times += 2)
+          scaling.add_faces(other, times);
+      }
     }
   }
   return names;

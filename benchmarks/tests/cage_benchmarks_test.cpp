@@ -2,10 +2,12 @@
 #include "cage_benchmarks.h"
 
 #include "data_cages.h"
+#include "scaled_cages.h"
 #include "whole_coordinates.h"
 #include "yardstick.h"
 #include "yardstick_avx2.h"
 
+#include "cageproof/core/cage/winding_numbers.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/coordinates/whole_evaluation.h"
 
@@ -100,15 +102,28 @@ TEST(CageBenchmarks, scaling_has_three_axes_for_every_kind) {
   const std::vector<std::string> found = register_scaling_benchmarks();
   const std::set<std::string> names(found.begin(), found.end());
   EXPECT_EQ(names.size(), found.size()) << "a name occurs twice";
-  for (const char* kind : {"green", "biharmonic", "somigliana", "mean_value", "quad_mean_value"})
-    for (const auto& [axis, count] : {std::pair{"points", 3}, {"faces", 4}, {"threads", 2}}) {
-      const auto start = fmt::format("scaling/{}/{}/", kind, axis);
-      const auto here = std::ranges::count_if(found, [&](const std::string& name) { return name.starts_with(start); });
-      EXPECT_GE(here, count) << start;
-      EXPECT_EQ(here % count, 0) << start;
-    }
+  for (const std::string kind : {"green", "biharmonic", "somigliana", "mean_value"})
+    for (const char* of :
+         {"points/batched/1", "points/batched/1000000", "points/hybrid/256", "threads/batched/2", "faces/batched/12",
+          "faces/batched/81920", "faces/hybrid/5120", "faces/batched/long-20480", "faces/batched/graded-80"})
+      EXPECT_TRUE(names.contains(fmt::format("scaling/{}/{}", kind, of))) << kind << ' ' << of;
+  for (const std::string kind : {"quad_mean_value", "quad_green", "quad_biharmonic"})
+    for (const char* of : {"points/batched/1", "threads/line_form/1", "faces/batched/98304", "faces/line_form/1536"})
+      EXPECT_TRUE(names.contains(fmt::format("scaling/{}/{}", kind, of))) << kind << ' ' << of;
   expect_positive("scaling/mean_value/faces/hybrid/320", {"ns_per_pair", "points", "elements", "threads"});
   expect_positive("scaling/green/threads/hybrid/2", {"ns_per_pair", "points", "elements", "threads"});
+}
+
+// Times grow with elements only where they are what names say, and closed surfaces about the points.
+TEST(CageBenchmarks, scaled_cages_hold_their_points) {
+  for (const ScaledCages& cages : {cubes(64), spheres(64), long_spheres(64), graded_spheres(64)}) {
+    const auto cage = cages.cut(2);
+    EXPECT_EQ(cage->cage.faces().size(), cages.faces(2, true)) << cages.name(2, true);
+    const CageElements elements(cage->cage, false, Triangulation::Shortest);
+    EXPECT_EQ(elements.count(), cages.faces(2, false)) << cages.name(2, false);
+    const WindingNumbers windings(elements);
+    for (const Vec3<double>& p : cage->points) EXPECT_EQ(windings.around(p), 1) << cages.name(2, false);
+  }
 }
 
 class FolderOfCages : public testing::Test {

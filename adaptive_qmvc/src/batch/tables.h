@@ -48,12 +48,18 @@ struct Pairs {
   int count;
 };
 
-/// Points that see a quad by the same rules, and where the integrals of Phi_k N.x/r^3 and Phi_k/r go, k = 0 .. 3:
-/// those of point p are added to double_layer[vertex[k] * stride + p] and stored in single_layer[4 p + corner[k]].
-struct LayerPairs {
-  Pairs pairs;
+/// Where a quad's integrals with the basis functions Phi_k go, k = 0 .. 3: those of point p are added to
+/// double_layer[vertex[k] * stride + p] and stored in single_layer[4 p + corner[k]].
+struct LayerColumns {
   double* double_layer;
   double* single_layer;
+};
+
+/// Points that see a quad by the same rules, and where the integrals of Phi_k N.x/r^3 and Phi_k/r go, and those of
+/// Phi_k N.x/r and Phi_k r, unless their columns are null.
+struct LayerPairs {
+  Pairs pairs;
+  LayerColumns harmonic, biharmonic;
   const int* corner;
   bool close;  ///< Plan::close
 };
@@ -73,6 +79,7 @@ struct NearLines {
   int count;
   const double* step;
   const double* weight;
+  bool biharmonic;  ///< whether integrals of Phi_k N.x/r and Phi_k r are wanted, too
 };
 
 /// The functions of one instruction set.
@@ -86,7 +93,8 @@ struct Kernels {
   void (*normalise)(const Chunk&, int vertices, double* whole);
   /// Adds the layers of one quad for points that see it from afar.
   void (*add_layers)(const LayerPairs&);
-  /// Adds the layers of one quad at one point: four numbers of Phi_k N.x/r^3, then four of Phi_k/r.
+  /// Adds the layers of one quad at one point: four numbers each of Phi_k N.x/r^3, Phi_k/r and, where they are wanted,
+  /// Phi_k N.x/r and Phi_k r.
   void (*add_near_layers)(const NearLines&, double* to);
 };
 

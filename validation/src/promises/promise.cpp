@@ -328,7 +328,7 @@ constexpr std::array table{
         "next to the cage, where weights grow like 1/h and w/W stays bounded, derivatives of w/W cancel in the "
         "quotient rule; the unit counts one rounding of each weight's derivatives for that, and oblique thin walls "
         "and flat tetrahedra take 29"},
-    Row{"cage_block_error", "quad_green", batched, "double", "*", 1, 2, none,
+    Row{"cage_block_error", "quad_@(green|biharmonic)", batched, "double", "*", 1, 2, none,
         "derivatives are sums of elements, which cancel next to an edge where faces go on in one plane"},
     Row{"cage_block_error", "*", batched, "double", "*", 0, 2, 64,
         "a few roundings of the point and the corners in the cage's own frame, wherever the point is"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Green coordinates of cages whose quads stay bilinear surfaces, many points at a time.
+// Harmonic and biharmonic layers of cages whose quads stay bilinear surfaces, many points at a time.
 #include "layer_sums.h"
 
 #include "cageproof/core/coordinates/coordinate_tables.h"
@@ -25,7 +25,8 @@ class BatchedQuadLayers final : public BesideSums, public AppliesData {
  public:
   BatchedQuadLayers(std::shared_ptr<const CageElements> elements, std::shared_ptr<const PreparedCoordinates> summed)
       : BesideSums(std::move(summed), 3), elements_(std::move(elements)), geometry_(*elements_) {
-    if (geometry_.is_sound() && std::abs(geometry_.exponent()) <= kLargestUnit) tables_.emplace(geometry_, *elements_);
+    if (geometry_.is_sound() && std::abs(geometry_.exponent()) <= kLargestUnit)
+      tables_.emplace(geometry_, *elements_, blocks().size() == 4);
   }
 
   std::string evaluation() const override { return std::string(kLayersName); }
@@ -53,14 +54,15 @@ class BatchedQuadLayers final : public BesideSums, public AppliesData {
   const AppliesData* products(int order) const override { return computes(order) ? this : nullptr; }
   void apply(std::span<const Vec3<double>> points, int /*order*/, const CageData& data,
              AppliedTable& table) const override {
-    const std::size_t vertices = blocks()[0].size, numbers = vertices + blocks()[1].size;
-    // By fours, [group][number][4], of both blocks together.
+    const std::size_t numbers = numbers_of_point();
+    // By fours, [group][number][4], of all blocks together.
     const std::size_t groups = (data.sets + kGroup - 1) / kGroup;
     std::vector<SetGroup> from(groups * numbers, SetGroup{});
-    for (std::size_t i = 0; i < numbers; ++i)
-      for (int set = 0; set < data.sets; ++set)
-        from[set / kGroup * numbers + i][set % kGroup] =
-            i < vertices ? data.blocks[0][i * data.sets + set] : data.blocks[1][(i - vertices) * data.sets + set];
+    std::size_t first = 0;
+    for (std::size_t b = 0; b < blocks().size(); first += blocks()[b++].size)
+      for (int i = 0; i < blocks()[b].size; ++i)
+        for (int set = 0; set < data.sets; ++set)
+          from[set / kGroup * numbers + first + i][set % kGroup] = data.blocks[b][i * data.sets + set];
     over_points(
         points,
         [&](std::size_t p, std::size_t count, const double* row) {
@@ -82,15 +84,20 @@ class BatchedQuadLayers final : public BesideSums, public AppliesData {
 
  private:
   bool computes(int order) const { return tables_.has_value() && order == 0; }
+  std::size_t numbers_of_point() const {
+    std::size_t sum = 0;
+    for (const CoordinateBlock& block : blocks()) sum += block.size;
+    return sum;
+  }
 
-  // put: (first point, points, their rows: the first block, then the other). alone: (point, its tables), of what sums
+  // put: (first point, points, their rows: one block after the other). alone: (point, its tables), of what sums
   // leave out, which replaces what was put.
   template <class Put, class Alone>
   void over_points(std::span<const Vec3<double>> points, Put put, Alone alone) const {
-    const std::size_t size = LayerSums::chunk_size(geometry_), count = (points.size() + size - 1) / size;
+    const std::size_t size = LayerSums::chunk_size(geometry_, *tables_), count = (points.size() + size - 1) / size;
     for_ranges_parallel(count, 1, [&](std::size_t begin, std::size_t end) {
       LayerSums sums(geometry_, *elements_, *tables_);
-      const std::size_t numbers = blocks()[0].size + blocks()[1].size;
+      const std::size_t numbers = numbers_of_point();
       std::vector<double> rows(kTile * numbers);
       for (std::size_t i = begin; i < end; ++i) {
         const std::size_t first = i * size;
@@ -98,7 +105,7 @@ class BatchedQuadLayers final : public BesideSums, public AppliesData {
         sums.run(here);
         for (std::size_t p = 0; p < here.size(); p += kTile) {
           const std::size_t tile = std::min(kTile, here.size() - p);
-          sums.put(p, tile, {rows.data(), numbers}, {rows.data() + blocks()[0].size, numbers});
+          sums.put(p, tile, rows.data(), numbers);
           put(first + p, tile, rows.data());
         }
         for (const int p : sums.left()) alone(first + p, sums_at(here[p], 0));
@@ -111,18 +118,19 @@ class BatchedQuadLayers final : public BesideSums, public AppliesData {
   std::optional<LayerTables> tables_;  // nothing where double's range does not hold them
 };
 
-// Kinds of one double layer a vertex and one single layer a normal.
-bool is_quad_green(const CoordinateKind& kind) {
-  return kind.is_sum() && kind.keeps_quads && !kind.normalised && kind.blocks.size() == 2 &&
-         kind.blocks[0].kernel == "double_layer" && kind.blocks[1].kernel == "single_layer" &&
-         kind.blocks[1].one_a_normal;
+// Kinds of one double layer a vertex and one single layer a normal, and those of the biharmonic ones, too.
+bool is_of_layers(const CoordinateKind& kind) {
+  if (!kind.is_sum() || !kind.keeps_quads || kind.normalised) return false;
+  if (kind.blocks.size() != 2 && kind.blocks.size() != 4) return false;
+  for (std::size_t b = 0; b < kind.blocks.size(); ++b)
+    if (kind.blocks[b].kernel != kKernels[b] || kind.blocks[b].one_a_normal != (b % 2 == 1)) return false;
+  return true;
 }
 
 const RegisterWholeEvaluation registered_layers{
     {.name = kLayersName,
      .description = "lines of all quads for vectors of points that see them alike; one by one next to a quad",
-     .exists = [](const CoordinateKind& kind,
-                  const Cage& cage) { return cage.dimension() == 3 && is_quad_green(kind); },
+     .exists = [](const CoordinateKind& kind, const Cage& cage) { return cage.dimension() == 3 && is_of_layers(kind); },
      .prepare = [](const CoordinateKind&, std::shared_ptr<const CageElements> elements, const CoordinateOptions&,
                    std::shared_ptr<const PreparedCoordinates> summed) -> std::shared_ptr<const PreparedCoordinates> {
        return std::make_shared<BatchedQuadLayers>(std::move(elements), std::move(summed));

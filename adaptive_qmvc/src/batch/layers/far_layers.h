@@ -50,9 +50,11 @@ inline void find_layer_lines(const QuadTable& quad, const Rule& across, LayerLin
   }
 }
 
-/// Integrals along a line: of f and w f, for f = 1/r and N.x/r^3, w the length from the middle.
+/// Integrals along a line: of f and w f, for f = 1/r and N.x/r^3, w the length from the middle; and, where they are
+/// wanted, for f = r and N.x/r.
 struct LineLayers {
   Lanes single, single_w, twofold, twofold_w;
+  Lanes growing, growing_w, steady, steady_w;
 };
 
 /// A line from `start` on, with N.x = g + w slope.
@@ -64,14 +66,23 @@ struct SeenLine {
 /// Integrals over lines that may end or pass next to points.
 struct CloseLines {
   static constexpr int at_once = 1;
-  template <int N>
+  template <int N, bool Biharmonic>
   void find(const LayerLines& lines, int j, const SeenLine* seen, LineLayers* to) const {
     const Three& start = seen->start;
     const Lanes x = splat(lines.direction[0][j]), y = splat(lines.direction[1][j]), z = splat(lines.direction[2][j]);
     const Three area{start.y * z - start.z * y, start.z * x - start.x * z, start.x * y - start.y * x};
     const Lanes length = splat(lines.length[j]), t0 = x * start.x + y * start.y + z * start.z;
-    const LineMoments m = moments_about(t0 + 0.5 * length, t0, t0 + length, dot(area, area), length);
-    *to = {m.inverse, m.step, seen->g * m.cube + seen->slope * m.c1, seen->g * m.c1 + seen->slope * m.c2};
+    GrowingMoments growing{};
+    const LineMoments m =
+        moments_about(t0 + 0.5 * length, t0, t0 + length, dot(area, area), length, Biharmonic ? &growing : nullptr);
+    *to = {m.inverse,
+           m.step,
+           seen->g * m.cube + seen->slope * m.c1,
+           seen->g * m.c1 + seen->slope * m.c2,
+           growing.r,
+           growing.step_r,
+           seen->g * m.inverse + seen->slope * m.step,
+           seen->g * m.step + seen->slope * growing.step2};
   }
 };
 
@@ -80,7 +91,7 @@ struct CloseLines {
 /// processors look ahead no further than a line.
 struct DistantLines {
   static constexpr int at_once = 2;
-  template <int N>
+  template <int N, bool Biharmonic>
   void find(const LayerLines& lines, int j, const SeenLine* seen, LineLayers* to) const {
     Lanes middle[N], square0[N], square1[N], p0[N], p1[N], sum[N], y2[N], cube[N];
     Logarithm log[N];
@@ -107,7 +118,19 @@ struct DistantLines {
                   lines.half[j + i];
       // As about_middle, with what both integrals of N.x have in common.
       const Lanes q = middle[i] * y2[i], twofold = cube[i] * (seen[i].g - seen[i].slope * q);
-      to[i] = {log[i].whole, -middle[i] * log[i].rest, twofold, seen[i].slope * log[i].rest - q * twofold};
+      to[i].single = log[i].whole;
+      to[i].single_w = -middle[i] * log[i].rest;
+      to[i].twofold = twofold;
+      to[i].twofold_w = seen[i].slope * log[i].rest - q * twofold;
+      if constexpr (Biharmonic) {
+        const Lanes height2 = (1 - y2[i]) * (0.25 * (sum[i] * sum[i]) - middle[i] * middle[i]);
+        const GrowingMoments growing = growing_about_middle(log[i], y2[i] * (sum[i] * lines.over[j + i]), sum[i],
+                                                            splat(lines.length[j + i]), middle[i], height2);
+        to[i].growing = growing.r;
+        to[i].growing_w = growing.step_r;
+        to[i].steady = seen[i].g * to[i].single + seen[i].slope * to[i].single_w;
+        to[i].steady_w = seen[i].g * to[i].single_w + seen[i].slope * growing.step2;
+      }
     }
   }
 };
@@ -140,8 +163,20 @@ inline void to_corners(Lanes (&s)[4]) {
   s[2] = right + s[2];
 }
 
+/// Sums over lines of f and w f, for one f.
+struct CornerSums {
+  Lanes of[4] = {};  // of f and w f on the left, of w f and f on the right
+
+  void add(const LayerLines& lines, int j, const Lanes& f, const Lanes& f_w) {
+    of[0] += lines.left[j] * f;
+    of[1] += lines.left_w[j] * f_w;
+    of[2] += lines.right_w[j] * f_w;
+    of[3] += lines.right[j] * f;
+  }
+};
+
 /// \param layers of a line
-template <class Layers>
+template <bool Biharmonic, class Layers>
 void add_layers_of(const LayerPairs& to, const Layers& layers) {
   const Pairs& pairs = to.pairs;
   const QuadTable& quad = *pairs.quad;
@@ -158,7 +193,7 @@ void add_layers_of(const LayerPairs& to, const Layers& layers) {
     // N.x at the middle of line v is g0 + v g1, and grows by g10 + v twist a line.
     const Lanes g10 = dot(quad.n_u, a), g1 = dot(quad.n_v, a) + 0.5 * quad.twist;
     const Lanes g0 = (pairs.across->count <= kLinesFromAfar ? height_over(quad, point) : dot(quad.n, a)) + 0.5 * g10;
-    Lanes single[4] = {}, twofold[4] = {};  // of 1 and w on the left, of w and 1 on the right
+    CornerSums single, twofold, growing, steady;
     const auto add = [&]<int N>(int j) {
       SeenLine seen[N];
       LineLayers f[N];
@@ -166,33 +201,35 @@ void add_layers_of(const LayerPairs& to, const Layers& layers) {
         seen[i] = {{a.x + lines.step[0][j + i], a.y + lines.step[1][j + i], a.z + lines.step[2][j + i]},
                    g0 + pairs.across->node[j + i] * g1,
                    (g10 + lines.twist[j + i]) * lines.over[j + i]};
-      layers.template find<N>(lines, j, seen, f);
+      layers.template find<N, Biharmonic>(lines, j, seen, f);
       for (int i = 0; i < N; ++i) {
-        single[0] += lines.left[j + i] * f[i].single;
-        single[1] += lines.left_w[j + i] * f[i].single_w;
-        single[2] += lines.right_w[j + i] * f[i].single_w;
-        single[3] += lines.right[j + i] * f[i].single;
-        twofold[0] += lines.left[j + i] * f[i].twofold;
-        twofold[1] += lines.left_w[j + i] * f[i].twofold_w;
-        twofold[2] += lines.right_w[j + i] * f[i].twofold_w;
-        twofold[3] += lines.right[j + i] * f[i].twofold;
+        single.add(lines, j + i, f[i].single, f[i].single_w);
+        twofold.add(lines, j + i, f[i].twofold, f[i].twofold_w);
+        if constexpr (Biharmonic) {
+          growing.add(lines, j + i, f[i].growing, f[i].growing_w);
+          steady.add(lines, j + i, f[i].steady, f[i].steady_w);
+        }
       }
     };
     int j = 0;
     for (; j + Layers::at_once <= pairs.across->count; j += Layers::at_once)
       add.template operator()<Layers::at_once>(j);
     for (; j < pairs.across->count; ++j) add.template operator()<1>(j);
-    to_corners(single);
-    to_corners(twofold);
     const int count = pairs.count - first < kLanes ? pairs.count - first : kLanes;
-    for (int k = 0; k < 4; ++k) {
-      double* const column = to.double_layer + quad.vertex[k] * static_cast<long>(chunk.stride);
-      double* const corner = to.single_layer + to.corner[k];
-      for (int i = 0; i < count; ++i) {
-        column[at[i]] += twofold[k][i];
-        corner[4 * at[i]] = single[k][i];
+    const auto put = [&](const LayerColumns& columns, CornerSums& of_vertices, CornerSums& of_corners) {
+      to_corners(of_vertices.of);
+      to_corners(of_corners.of);
+      for (int k = 0; k < 4; ++k) {
+        double* const column = columns.double_layer + quad.vertex[k] * static_cast<long>(chunk.stride);
+        double* const corner = columns.single_layer + to.corner[k];
+        for (int i = 0; i < count; ++i) {
+          column[at[i]] += of_vertices.of[k][i];
+          corner[4 * at[i]] = of_corners.of[k][i];
+        }
       }
-    }
+    };
+    put(to.harmonic, twofold, single);
+    if constexpr (Biharmonic) put(to.biharmonic, steady, growing);
   }
 }
 

@@ -8,8 +8,16 @@
 namespace cageproof::adaptive_qmvc::batch::CAGEPROOF_SIMD {
 
 inline void add_layers(const LayerPairs& to) {
-  if (to.close) add_layers_of(to, CloseLines{});
-  else add_layers_of(to, DistantLines{});
+  const bool biharmonic = to.biharmonic.double_layer != nullptr;
+  if (to.close && biharmonic) add_layers_of<true>(to, CloseLines{});
+  else if (to.close) add_layers_of<false>(to, CloseLines{});
+  else if (biharmonic) add_layers_of<true>(to, DistantLines{});
+  else add_layers_of<false>(to, DistantLines{});
+}
+
+inline void add_near_layers(const NearLines& lines, double* to) {
+  if (lines.biharmonic) add_near_layers_of<true>(lines, to);
+  else add_near_layers_of<false>(lines, to);
 }
 
 }  // namespace cageproof::adaptive_qmvc::batch::CAGEPROOF_SIMD

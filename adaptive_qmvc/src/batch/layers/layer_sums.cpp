@@ -17,26 +17,40 @@ constexpr double kFarthest = 0x1p300;
 // Corners of a quad, and of the same one turned (FaceTables).
 constexpr std::array<std::array<int, 4>, 2> kCorners{{{0, 1, 2, 3}, {0, 3, 2, 1}}};
 
+// The quotient of an integral of QuadLayers and the value of its formula.
+double integral_over_value(std::size_t layer) {
+  constexpr std::array<double, 4> times_pi{4, 4, -8, 8};
+  return times_pi[layer] * pi<double>();
+}
+// Powers of the unit that integrals over triangles and quads have, with the measures of areas and of du dv.
+constexpr std::array<int, 4> kDegree{0, -1, 2, 1};
+
 }  // namespace
 
-LayerTables::LayerTables(const Geometry& geometry, const CageElements& elements) {
-  const double layer = 1 / (4 * pi<double>());
+LayerTables::LayerTables(const Geometry& geometry, const CageElements& elements, bool biharmonic) {
+  for (std::size_t b = 0; b < (biharmonic ? 4 : 2); b += 2)
+    factors.push_back({std::ldexp(1 / integral_over_value(b), kDegree[b] * geometry.exponent()), {}});
   for (std::size_t f = 0; f < elements.count(); ++f) {
     const std::span<const int> normals = elements.shares_of(f, Owner::Normal);
     first.push_back(normals[0]);
     is_quad.push_back(elements.type(f).kind == ElementKind::Quad ? 1 : 0);
     const auto& n = geometry.faces()[f].along.n;
     area.push_back(std::hypot(n[0], n[1], n[2]));
-    // Lengths to the power -1, times areas.
-    if (is_quad[f] != 0)
-      for (const int normal : normals)
-        factor.push_back(std::ldexp(elements.area_element_of(normal, Owner::Normal) * layer, -geometry.exponent()));
-    else factor.push_back(std::ldexp(area[f] * layer, geometry.exponent()));
+    for (std::size_t l = 0; l < factors.size(); ++l) {
+      const double layer = 1 / integral_over_value(2 * l + 1);
+      const int unit = kDegree[2 * l + 1] * geometry.exponent();
+      std::vector<double>& factor = factors[l].single_layer;
+      if (is_quad[f] != 0)
+        for (const int normal : normals)
+          factor.push_back(std::ldexp(elements.area_element_of(normal, Owner::Normal) * layer, unit));
+      else factor.push_back(std::ldexp(area[f] * layer, unit + 2 * geometry.exponent()));
+    }
   }
 }
 
-std::size_t LayerSums::chunk_size(const Geometry& geometry) {
-  return points_a_chunk(static_cast<std::size_t>(geometry.vertices()) + 4 * geometry.faces().size());
+std::size_t LayerSums::chunk_size(const Geometry& geometry, const LayerTables& tables) {
+  const std::size_t of_layers = static_cast<std::size_t>(geometry.vertices()) + 4 * geometry.faces().size();
+  return points_a_chunk(tables.factors.size() * of_layers);
 }
 
 LayerSums::LayerSums(const Geometry& geometry, const CageElements& elements, const LayerTables& tables,
@@ -47,14 +61,14 @@ LayerSums::LayerSums(const Geometry& geometry, const CageElements& elements, con
       kernels_(with),
       plans_(Plans::of_layers()),
       sorted_(plans_),
-      near_(with) {
+      near_(with, tables.factors.size() == 2) {
   for (std::size_t f = 0; f < elements.count(); ++f) {
     const ElementKind kind = elements.type(f).kind;
     auto& evaluations = evaluations_[static_cast<std::size_t>(kind)];
     if (evaluations.empty())
-      for (const std::string_view kernel : {"double_layer", "single_layer"})
+      for (std::size_t b = 0; b < tables.blocks(); ++b)
         evaluations.push_back(
-            *EvaluationRegister::instance().with_role(find_formula(kind, kernel)->name, Role::Recommended));
+            *EvaluationRegister::instance().with_role(find_formula(kind, kKernels[b])->name, Role::Recommended));
     auto& scaled = corner_.emplace_back();
     const std::vector<Vec3<double>> corners = elements.corners(f);
     for (std::size_t k = 0; k < corners.size(); ++k)
@@ -66,8 +80,10 @@ void LayerSums::take(std::span<const Vec3<double>> points) {
   points_ = static_cast<int>(points.size());
   const std::size_t stride = padded(points.size());
   at_.resize(3 * stride);
-  double_layer_.assign(stride * geometry_.vertices(), 0.0);
-  single_layer_.resize(4 * stride * geometry_.faces().size());
+  for (std::size_t l = 0; l < tables_.factors.size(); ++l) {
+    double_layer_[l].assign(stride * geometry_.vertices(), 0.0);
+    single_layer_[l].resize(4 * stride * geometry_.faces().size());
+  }
   distances_.resize(stride * geometry_.edges().size());
   is_left_.assign(points.size(), 0);
   chunk_ = {static_cast<int>(stride), at_.data(), nullptr};
@@ -81,6 +97,11 @@ void LayerSums::take(std::span<const Vec3<double>> points) {
       if (!(std::abs(at_[i * stride + p]) < kFarthest)) is_left_[p] = 1;
 }
 
+LayerColumns LayerSums::columns(std::size_t layers, std::size_t face) {
+  if (layers >= tables_.factors.size()) return {nullptr, nullptr};
+  return {double_layer_[layers].data(), single_layer_[layers].data() + 4 * face * chunk_.stride};
+}
+
 void LayerSums::add_from_afar(std::size_t f) {
   const FaceTables& face = geometry_.faces()[f];
   for (int i = 0; i < plans_.count(); ++i) {
@@ -89,8 +110,8 @@ void LayerSums::add_from_afar(std::size_t f) {
     const Plan& plan = plans_[i];
     const QuadTable& quad = plan.turned ? face.turned : face.along;
     kernels_.add_layers({{&chunk_, &quad, plan.across, plan.along, alike.data(), static_cast<int>(alike.size())},
-                         double_layer_.data(),
-                         single_layer_.data() + 4 * f * chunk_.stride,
+                         columns(0, f),
+                         columns(1, f),
                          kCorners[plan.turned ? 1 : 0].data(),
                          plan.close});
   }
@@ -102,17 +123,21 @@ bool LayerSums::add_by_evaluations(std::size_t f, const Vec3<double>& point, Qua
   const std::span<const Vec3<double>> corners = std::span(corner_[f]).first(elements_.vertices_of(f).size());
   if (type.contact(corners, point).contact != Contact::Off) return false;
   const std::vector<Evaluation>& evaluations = evaluations_[static_cast<std::size_t>(type.kind)];
-  std::array<const Evaluation*, 2> members{&evaluations[0], &evaluations[1]};
-  std::array<double, 4> twofold{}, single{};
-  std::array<BatchOutput<double>, 2> outputs{BatchOutput<double>{.tensors = {twofold.data(), nullptr, nullptr}},
-                                             BatchOutput<double>{.tensors = {single.data(), nullptr, nullptr}}};
-  Evaluation::together<double>(members, Batch<double>{corners, std::span(&point, 1), 0, {}}, outputs);
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    layers.twofold[k] += 4 * pi<double>() * twofold[k];
-    layers.single[k] += 4 * pi<double>() * single[k];
+  const std::size_t count = evaluations.size();
+  std::array<const Evaluation*, 4> members{};
+  std::array<std::array<double, 4>, 4> values{};
+  std::array<BatchOutput<double>, 4> outputs;
+  for (std::size_t b = 0; b < count; ++b) {
+    members[b] = &evaluations[b];
+    outputs[b].tensors[0] = values[b].data();
   }
-  const auto is_finite = [](double x) { return std::isfinite(x); };
-  return std::ranges::all_of(twofold, is_finite) && std::ranges::all_of(single, is_finite);
+  Evaluation::together<double>(std::span(members).first(count), Batch<double>{corners, std::span(&point, 1), 0, {}},
+                               std::span(outputs).first(count));
+  for (std::size_t b = 0; b < count; ++b)
+    for (std::size_t k = 0; k < corners.size(); ++k) layers.of[b][k] += integral_over_value(b) * values[b][k];
+  return std::ranges::all_of(values, [](const std::array<double, 4>& of) {
+    return std::ranges::all_of(of, [](double x) { return std::isfinite(x); });
+  });
 }
 
 void LayerSums::add_alone(std::size_t f, int p) {
@@ -126,30 +151,37 @@ void LayerSums::add_alone(std::size_t f, int p) {
     return;
   }
   const std::span<const int> vertices = elements_.vertices_of(f);
-  for (std::size_t k = 0; k < vertices.size(); ++k) double_layer_[vertices[k] * stride + p] += layers.twofold[k];
-  // The formula of triangles has the area element.
-  if (tables_.is_quad[f] == 0) layers.single = {layers.single[0] / tables_.area[f]};
-  std::ranges::copy(layers.single, single_layer_.data() + 4 * (f * stride + p));
+  for (std::size_t l = 0; l < tables_.factors.size(); ++l) {
+    for (std::size_t k = 0; k < vertices.size(); ++k) double_layer_[l][vertices[k] * stride + p] += layers.of[2 * l][k];
+    std::array<double, 4>& single = layers.of[2 * l + 1];
+    // The formula of triangles has the area element.
+    if (tables_.is_quad[f] == 0) single = {single[0] / tables_.area[f]};
+    std::ranges::copy(single, single_layer_[l].data() + 4 * (f * stride + p));
+  }
 }
 
-void LayerSums::put(std::size_t first, std::size_t count, Rows double_layer, Rows single_layer) const {
-  const std::size_t stride = chunk_.stride;
-  // Points are the inner loops: each column is on a page of its own.
-  for (int v = 0; v < geometry_.vertices(); ++v) {
-    const double* const from = double_layer_.data() + v * stride + first;
-    for (std::size_t p = 0; p < count; ++p)
-      double_layer.first[p * double_layer.stride + v] = from[p] * (1 / (4 * pi<double>()));
-  }
-  for (std::size_t f = 0; f < tables_.first.size(); ++f) {
-    const double* const from = single_layer_.data() + 4 * (f * stride + first);
-    const double* const factor = tables_.factor.data() + tables_.first[f];
-    double* const to = single_layer.first + tables_.first[f];
-    // A triangle's area element is linear, and zero on the side without length (QuadTable): of both corners off it.
-    if (tables_.is_quad[f] == 0)
-      for (std::size_t p = 0; p < count; ++p) to[p * single_layer.stride] = (from[4 * p] + from[4 * p + 1]) * factor[0];
-    else
-      for (std::size_t p = 0; p < count; ++p)
-        for (int k = 0; k < 4; ++k) to[p * single_layer.stride + k] = from[4 * p + k] * factor[k];
+void LayerSums::put(std::size_t first, std::size_t count, double* rows, std::size_t stride) const {
+  const std::size_t padded = chunk_.stride;
+  for (std::size_t l = 0; l < tables_.factors.size(); ++l) {
+    const LayerTables::Factors& factors = tables_.factors[l];
+    // Points are the inner loops: each column is on a page of its own.
+    for (int v = 0; v < geometry_.vertices(); ++v) {
+      const double* const from = double_layer_[l].data() + v * padded + first;
+      for (std::size_t p = 0; p < count; ++p) rows[p * stride + v] = from[p] * factors.double_layer;
+    }
+    rows += geometry_.vertices();
+    for (std::size_t f = 0; f < tables_.first.size(); ++f) {
+      const double* const from = single_layer_[l].data() + 4 * (f * padded + first);
+      const double* const factor = factors.single_layer.data() + tables_.first[f];
+      double* const to = rows + tables_.first[f];
+      // A triangle's area element is linear, and zero on the side without length (QuadTable): of both corners off it.
+      if (tables_.is_quad[f] == 0)
+        for (std::size_t p = 0; p < count; ++p) to[p * stride] = (from[4 * p] + from[4 * p + 1]) * factor[0];
+      else
+        for (std::size_t p = 0; p < count; ++p)
+          for (int k = 0; k < 4; ++k) to[p * stride + k] = from[4 * p + k] * factor[k];
+    }
+    rows += factors.single_layer.size();
   }
 }
 

@@ -4,7 +4,11 @@
 // With the ends' distances r0 and r1, their sum s, a length l, y = l/s, q = m y^2 for the middle's place m from the
 // foot of the perpendicular, L = 2 atanh y and K = 2 y/(r0 r1 (1 - y^2)), the moments about the middle are
 //   int 1/r = L,  int w/r = -m (L - 2 y),  int 1/r^3 = K,  int w/r^3 = -q K,  int w^2/r^3 = (L - 2 y) + q^2 K,
-// of terms of one sign. From s^2 - (r1 - r0)^2 = 4 r0 r1 and r1 - r0 = 2 m y.
+// of terms of one sign. From s^2 - (r1 - r0)^2 = 4 r0 r1 and r1 - r0 = 2 m y. With the squared height
+// h = (1 - y^2)(s^2/4 - m^2) of the point over the line and c = h (L - 2 y)/2,
+//   int r = m^2 y + l s/4 + h L/2,  int w r = m (l^2 y/4 - m^2 y^3/3 - c),
+//   int w^2/r = l^2 y/4 - m^2 y^3 + m^2 (L - 2 y) - c,
+// whose terms are no larger than a few of the sums, however far the line is.
 #pragma once
 
 #include "../space_lanes.h"
@@ -65,12 +69,27 @@ inline LineMoments about_middle(const Logarithm& log, const Lanes& y2, const Lan
   return {log.whole, -middle * log.rest, cube, -q * cube, log.rest + q * (q * cube)};
 }
 
+/// Along a line, t the length from a point of it: int r, int t r and int t^2/r.
+struct GrowingMoments {
+  Lanes r, step_r, step2;
+};
+
+/// About the middle. \param y length/sum \param height2 the squared distance from the line
+inline GrowingMoments growing_about_middle(const Logarithm& log, const Lanes& y, const Lanes& sum, const Lanes& length,
+                                           const Lanes& middle, const Lanes& height2) {
+  const Lanes middle2 = middle * middle, cubic = middle2 * (y * y * y), quarter = 0.25 * length;
+  const Lanes common = quarter * length * y - 0.5 * height2 * log.rest;
+  return {middle2 * y + quarter * sum + 0.5 * height2 * log.whole, middle * (common - cubic * (1. / 3)),
+          common - cubic + middle2 * log.rest};
+}
+
 /// About any point of the line, at `origin` from the foot, of lines that may end or pass next to the point that they
 /// are seen from, at the squared distance `height2`: about the foot, which is then next to the origin, or, of lines
 /// five times as far away as they are long, about the middle. \param t0 the start from the foot, t1 = t0 + length the
 /// end
+/// \param growing null, or where those moments go
 inline LineMoments moments_about(const Lanes& origin, const Lanes& t0, const Lanes& t1, const Lanes& height2,
-                                 const Lanes& length) {
+                                 const Lanes& length, GrowingMoments* growing = nullptr) {
   const Lanes square0 = height2 + t0 * t0, square1 = height2 + t1 * t1;
   const Lanes p0 = reciprocal_root(square0), p1 = reciprocal_root(square1);
   const Lanes r0 = square0 * p0, r1 = square1 * p1, both = p0 * p1, sum = r0 + r1, y = length / sum;
@@ -87,6 +106,11 @@ inline LineMoments moments_about(const Lanes& origin, const Lanes& t0, const Lan
       both * (select(outside, 2 * length * middle, along - other) / select(outside, along + other, height2));
   const LineMoments far = about_middle(log, y * y, middle, cube);
   const Lanes foot_c1 = step * both, foot_c2 = log.whole - height2 * cube;
+  if (growing != nullptr) {
+    const GrowingMoments about = growing_about_middle(log, y, sum, length, middle, height2);
+    const Lanes from = middle - origin, first = -middle * log.rest;
+    *growing = {about.r, about.step_r + from * about.r, about.step2 + from * (2 * first + from * log.whole)};
+  }
   const Mask small = 5 * length < sum;
   const Lanes shift = select(small, middle - origin, -origin);
   const Lanes first = select(small, far.step, step), first3 = select(small, far.c1, foot_c1);

@@ -18,9 +18,11 @@ inline double sum_of(const Lanes& x) {
 }
 
 /// Everything is seen from the frame's own point, next to which what is small has its own digits.
-inline void add_near_layers(const NearLines& lines, double* to) {
+template <bool Biharmonic>
+void add_near_layers_of(const NearLines& lines, double* to) {
+  constexpr int integrands = Biharmonic ? 4 : 2;
   const NearQuad& q = *lines.quad;
-  Lanes sums[8] = {};
+  Lanes sums[4 * integrands] = {};
   for (int first = 0; first < lines.count; first += kLanes) {
     const Lanes s = load(lines.step + first), weight = load(lines.weight + first);
     const Three e = along(q.e, s, q.w), start = along(q.a, s, q.b);
@@ -29,13 +31,17 @@ inline void add_near_layers(const NearLines& lines, double* to) {
     const Lanes square = dot(e, e), over = reciprocal_root(square), over2 = over * over, length = square * over;
     const Lanes origin = dot(start, e) * over;  // of t, where u = u0
     const Lanes t0 = origin - q.u0 * length, t1 = origin + (1 - q.u0) * length;
-    const LineMoments m = moments_about(origin, t0, t1, dot(area, area) * over2, length);
+    GrowingMoments growing{};
+    const LineMoments m =
+        moments_about(origin, t0, t1, dot(area, area) * over2, length, Biharmonic ? &growing : nullptr);
     const Lanes g0 = q.g00 + s * q.g01, g1 = (q.g10 + s * q.g11) * over;
     // Integrals of f and of (u - u0) f over u.
-    const Lanes f[2] = {(g0 * m.cube + g1 * m.c1) * over, m.inverse * over};
-    const Lanes f_u[2] = {(g0 * m.c1 + g1 * m.c2) * over2, m.step * over2};
+    const Lanes f[4] = {(g0 * m.cube + g1 * m.c1) * over, m.inverse * over, (g0 * m.inverse + g1 * m.step) * over,
+                        growing.r * over};
+    const Lanes f_u[4] = {(g0 * m.c1 + g1 * m.c2) * over2, m.step * over2, (g0 * m.step + g1 * growing.step2) * over2,
+                          growing.step_r * over2};
     const Lanes right = (q.v0 + s) * weight, left = (1 - (q.v0 + s)) * weight;
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < integrands; ++i) {
       const Lanes far = q.u0 * f[i] + f_u[i], near = (1 - q.u0) * f[i] - f_u[i];
       sums[4 * i] += left * near;
       sums[4 * i + 1] += left * far;
@@ -43,7 +49,7 @@ inline void add_near_layers(const NearLines& lines, double* to) {
       sums[4 * i + 3] += right * near;
     }
   }
-  for (int i = 0; i < 8; ++i) to[i] += sum_of(sums[i]);
+  for (int i = 0; i < 4 * integrands; ++i) to[i] += sum_of(sums[i]);
 }
 
 }  // namespace cageproof::adaptive_qmvc::batch::CAGEPROOF_SIMD

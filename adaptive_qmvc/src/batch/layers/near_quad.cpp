@@ -133,13 +133,16 @@ NearQuadLayers::Reach NearQuadLayers::add(std::span<const Vec3<double>> corners,
     step_.push_back(step_.back());
     weight_.push_back(0);
   }
-  double sums[8] = {};
+  double sums[16] = {};
   const NearQuad near = near_quad(local);
-  kernels_.add_near_layers({&near, static_cast<int>(step_.size()), step_.data(), weight_.data()}, sums);
+  kernels_.add_near_layers({&near, static_cast<int>(step_.size()), step_.data(), weight_.data(), biharmonic_}, sums);
   for (int k = 0; k < 4; ++k) {
     const int corner = q->unit.corner[k];
-    layers.twofold[corner] += q->unit.sign * sums[k];
-    layers.single[corner] += std::ldexp(sums[4 + k], -q->unit.exponent);
+    const int unit = q->unit.exponent;
+    layers.of[0][corner] += q->unit.sign * sums[k];
+    layers.of[1][corner] += std::ldexp(sums[4 + k], -unit);
+    layers.of[2][corner] += q->unit.sign * std::ldexp(sums[8 + k], 2 * unit);
+    layers.of[3][corner] += std::ldexp(sums[12 + k], unit);
   }
   return Reach::Lines;
 }

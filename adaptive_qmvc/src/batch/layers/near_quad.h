@@ -16,15 +16,16 @@ namespace cageproof::adaptive_qmvc::batch {
 
 /// Integrals over a quad with the measure du dv, one per corner.
 struct QuadLayers {
-  std::array<double, 4> twofold{};  ///< of Phi_k N.x/r^3
-  std::array<double, 4> single{};   ///< of Phi_k/r
+  /// Of Phi_k N.x/r^3, Phi_k/r, Phi_k N.x/r and Phi_k r; the last two only where they are wanted.
+  std::array<std::array<double, 4>, 4> of{};
 };
 
 /// Memory for one pair after the other. The quad is cut in strips that get shorter towards the point, and each takes as
 /// many lines as the distances from its outermost ones ask for, a vector of lines at a time.
 class NearQuadLayers {
  public:
-  explicit NearQuadLayers(const Kernels& kernels) : kernels_(kernels), plans_(Plans::of_layers()) {}
+  NearQuadLayers(const Kernels& kernels, bool biharmonic)
+      : kernels_(kernels), plans_(Plans::of_layers()), biharmonic_(biharmonic) {}
 
   /// How near a point is: so that these lines have the digits for it, nearer, or so near that it may be on the quad.
   enum class Reach { Lines, Nearer, Touching };
@@ -39,6 +40,7 @@ class NearQuadLayers {
 
   const Kernels& kernels_;
   const Plans& plans_;
+  bool biharmonic_;
   std::vector<double> step_, weight_;
 };
 
