@@ -16,6 +16,16 @@ namespace {
 // each is rounded. What is left of the identity is to be right to 1e-12: with roundings of 1e-16 up to a = 100.
 constexpr double thin = 100;
 
+// Values at samples lose a where derivatives lose a^2, and only what a pose has beside a similarity loses: more than
+// 1e-10 of it here, and double has no digits left of them at 1e8.
+constexpr double thin_for_values = 1e6;
+
+// In the plane values next to each other lose as much where a cage is thin: the condition of what is solved from them
+// grows as fast.
+bool is_thin_for(const Thinness& thinness, int dimension, bool takes_derivatives) {
+  return thinness.times > (dimension == 2 || takes_derivatives ? thin : thin_for_values);
+}
+
 // Evaluations in 50 digits of one layer at one sample, a quarter of a millisecond each in space and less in the plane:
 // half a minute.
 double most_evaluations(int dimension) { return dimension == 2 ? 3e5 : 1e5; }
@@ -154,11 +164,7 @@ double evaluations_of(const DeformMethod& method, const DeformOptions& options, 
 
 std::shared_ptr<const Deformer<double>> prepared_in_digits_enough(const DeformMethod& method, const Cage& cage,
                                                                   const DeformOptions& options) {
-  // In the plane values next to each other lose as much where a cage is thin: the condition of what is solved from them
-  // grows as fast.
-  const bool solves = evaluations_of(method, options, cage.dimension(), 1) > 0;
-  const bool loses = cage.dimension() == 2 ? solves : method.takes_derivatives_on_cage;
-  if (!solves) return method.prepare(cage, options);
+  if (evaluations_of(method, options, cage.dimension(), 1) == 0) return method.prepare(cage, options);
   const CoordinateKind& kind = coordinate_kind_named(method.kind);
   const CageElements elements(cage, kind.keeps_quads, options.triangulation);
   const auto said_of = [&](const Thinness& thinness) {
@@ -166,7 +172,7 @@ std::shared_ptr<const Deformer<double>> prepared_in_digits_enough(const DeformMe
     return fmt::format("{} {}", cage.face_label(static_cast<std::size_t>(face)), thinness.what);
   };
   const Thinness thinness = thinness_of(elements);
-  if (!loses || thinness.times <= thin) {
+  if (!is_thin_for(thinness, cage.dimension(), method.takes_derivatives_on_cage)) {
     // A small element is turned by the roundings of its posed corners.
     const Thinness smallness = smallness_of(elements);
     auto deformer = method.prepare(cage, options);
@@ -193,8 +199,9 @@ bool can_have_50_digits(const CageElements& elements, int level) {
          most_evaluations(elements.dimension());
 }
 
-bool wants_50_digits(const CageElements& elements, int level) {
-  return thinness_of(elements).times > thin && can_have_50_digits(elements, level);
+bool wants_50_digits(const CageElements& elements, int level, bool takes_derivatives) {
+  return is_thin_for(thinness_of(elements), elements.dimension(), takes_derivatives) &&
+         can_have_50_digits(elements, level);
 }
 
 }  // namespace cageproof::deformation

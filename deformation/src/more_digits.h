@@ -18,8 +18,8 @@ std::shared_ptr<const Deformer<double>> prepared_in_digits_enough(const DeformMe
 /// split into samples
 bool can_have_50_digits(const CageElements& elements, int level);
 
-/// Whether derivatives of layers at samples lose so much on the elements that systems made of them are to be solved in
-/// 50 digits, and can be.
-bool wants_50_digits(const CageElements& elements, int level);
+/// Whether layers at samples, or their derivatives where a construction takes them, lose so much on the elements that
+/// systems made of them are to be solved in 50 digits, and can be.
+bool wants_50_digits(const CageElements& elements, int level, bool takes_derivatives);
 
 }  // namespace cageproof::deformation

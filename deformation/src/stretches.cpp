@@ -12,11 +12,21 @@ namespace cageproof::deformation {
 namespace {
 
 template <Scalar R>
-Matrix<R> nonnegative_stretches(const Matrix<R>& matrix, const Matrix<R>& right, std::string name,
-                                DeformationReport& report) {
-  const NonNegativeSolution<R> found = nonnegative_least_squares<R>(matrix, right);
-  report.systems.push_back(
-      describe<R>(fmt::format("{}, none negative", name), matrix, found.rank, right, found.values));
+Matrix<R> nonnegative_stretches(const Matrix<R>& matrix, const Matrix<R>& right, const Matrix<R>& start,
+                                const std::string& name, DeformationReport& report) {
+  // Where no stretch of all is negative, these are the least.
+  if (const LeastSquares<R> factors(matrix); factors.rank() == matrix.cols()) {
+    const Matrix<R> step = factors.solve(right);
+    if (Matrix<R> sigma = start + step; sigma.minCoeff() > 0) {
+      report.systems.push_back(
+          describe<R>(fmt::format("{}, none negative", name), matrix, factors.rank(), right, step));
+      report.figures.emplace_back("zero sigma", 0);
+      return sigma;
+    }
+  }
+  const NonNegativeSolution<R> found = nonnegative_least_squares<R>(matrix, Matrix<R>(right + matrix * start));
+  report.systems.push_back(describe<R>(fmt::format("{}, none negative", name), matrix, found.rank,
+                                       Matrix<R>(right + matrix * start), found.values));
   if (found.rank < matrix.cols())
     report.warnings.push_back(fmt::format("{}: rank {} of {}, so that others that are not negative leave as little",
                                           name, found.rank, matrix.cols()));
@@ -29,8 +39,9 @@ Matrix<R> nonnegative_stretches(const Matrix<R>& matrix, const Matrix<R>& right,
 }
 
 template <Scalar R>
-Matrix<R> any_stretches(const Matrix<R>& matrix, const Matrix<R>& right, std::string name, DeformationReport& report) {
-  Matrix<R> sigma = least_squares<R>(matrix, right, std::move(name), report.systems);
+Matrix<R> any_stretches(const Matrix<R>& matrix, const Matrix<R>& right, const Matrix<R>& start,
+                        const std::string& name, DeformationReport& report) {
+  Matrix<R> sigma = start + least_squares<R>(matrix, right, name, report.systems);
   Eigen::Index negative = 0;
   for (const R& s : sigma.reshaped()) negative += s < 0 ? 1 : 0;
   report.figures.emplace_back("negative sigma", static_cast<double>(negative));
@@ -43,8 +54,8 @@ Matrix<R> any_stretches(const Matrix<R>& matrix, const Matrix<R>& right, std::st
 }  // namespace
 
 template <Scalar R>
-Matrix<R> least_stretched(const Matrix<R>& of_normals, const Matrix<R>& fixed, const Matrix<R>& units, bool nonnegative,
-                          DeformationReport& report) {
+Matrix<R> least_stretched(const Matrix<R>& of_normals, const Matrix<R>& fixed, const Matrix<R>& units,
+                          const Matrix<R>& start, bool nonnegative, DeformationReport& report) {
   // A coordinate of the image below the other.
   const Eigen::Index rows = of_normals.rows(), count = units.rows(), d = units.cols();
   Matrix<R> matrix(d * rows, count), right(d * rows, 1);
@@ -53,16 +64,16 @@ Matrix<R> least_stretched(const Matrix<R>& of_normals, const Matrix<R>& fixed, c
     right.middleRows(c * rows, rows) = -fixed.col(c);
   }
   const std::string name = "stretches of least energy";
-  const Matrix<R> sigma = nonnegative ? nonnegative_stretches<R>(matrix, right, name, report)
-                                      : any_stretches<R>(matrix, right, name, report);
+  const Matrix<R> sigma = nonnegative ? nonnegative_stretches<R>(matrix, right, start, name, report)
+                                      : any_stretches<R>(matrix, right, start, name, report);
   report.figures.emplace_back("least sigma", static_cast<double>(R(sigma.minCoeff())));
   report.figures.emplace_back("largest sigma", static_cast<double>(R(sigma.maxCoeff())));
   return sigma.reshaped().asDiagonal() * units;
 }
 
 template Matrix<double> least_stretched<double>(const Matrix<double>&, const Matrix<double>&, const Matrix<double>&,
-                                                bool, DeformationReport&);
-template Matrix<Mp50> least_stretched<Mp50>(const Matrix<Mp50>&, const Matrix<Mp50>&, const Matrix<Mp50>&, bool,
-                                            DeformationReport&);
+                                                const Matrix<double>&, bool, DeformationReport&);
+template Matrix<Mp50> least_stretched<Mp50>(const Matrix<Mp50>&, const Matrix<Mp50>&, const Matrix<Mp50>&,
+                                            const Matrix<Mp50>&, bool, DeformationReport&);
 
 }  // namespace cageproof::deformation

@@ -2,6 +2,8 @@
 // Cages with an element so thin that second derivatives at samples lose digits.
 #include "settings.h"
 
+#include "cageproof/core/cage/embedded_cages.h"
+
 #include <gtest/gtest.h>
 
 namespace cageproof::deformation::test::thin_test {
@@ -36,6 +38,33 @@ TEST(thin, elements_cost_the_identity_nothing) {
         EXPECT_LE((image(images, p) - c.points[p]).norm(), 1e-12 * c.size) << setting.text() << ' ' << cut;
     }
   }
+}
+
+// Systems are asked only for what a pose has beside a similarity. Sums of layers leave 3e-13 of the cage's size here.
+TEST(thin, cages_that_are_solved_in_double_keep_the_identity_to_rounding) {
+  const Cage cage = embedded_cage("pinch-1e-5");
+  const std::vector<Vec> points{{.125, .1, .475}, {.3, .3, -.45}, {.02, .01, .1}};
+  for (const Setting& setting : {Setting{"biharmonic_1_3"},
+                                 {"biharmonic_weber"},
+                                 {"ahap"},
+                                 {"ahap", {{"alignment", 1.}}},
+                                 {"ahap", {{"alignment", 2.}}},
+                                 {"ahap", {{"alignment", 3.}}}}) {
+    const auto deformer = prepared_with(cage, setting);
+    EXPECT_TRUE(std::isnan(figure(deformer->prepared(), "digits of systems"))) << setting.text();
+    const Images<double> images = deformed(*deformer, cage.vertices(), points);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      EXPECT_LE((image(images, p) - points[p]).norm(), 4e-15 * cage.size()) << setting.text();
+  }
+}
+
+// Double has no digits left of values at samples where needles are much thinner still, and refused these.
+TEST(thin, elements_are_solved_in_more_digits_where_values_have_none_in_double) {
+  const Case c = truncated(1e-9);
+  const auto deformer = prepared(c.cage, "biharmonic_1_3");
+  EXPECT_EQ(figure(deformer->prepared(), "digits of systems"), 50);
+  const Images<double> images = deformed(*deformer, c.posed, c.points);
+  for (std::size_t p = 0; p < c.points.size(); ++p) EXPECT_LE((image(images, p) - c.points[p]).norm(), 1e-12 * c.size);
 }
 
 TEST(thin, elements_are_solved_in_more_digits_where_derivatives_on_the_cage_are_taken) {

@@ -113,23 +113,25 @@ class Aligned final : public LayerDeformer<R> {
     DeformationReport report;
     warn_of_orientation(elements, pose.vertices, report.warnings, alignment_ != Alignment::NonNegative);
     const Matrix<R> vertices = rows_of(pose.vertices, elements.dimension());
-    const Matrix<R> fixed = of_vertices_ * vertices;
+    // What there is beside a similarity, whose energy is zero.
+    const Similar<R> similar = this->similar_to(pose.vertices);
+    const Matrix<R> fixed = of_vertices_ * (vertices - similar.vertices);
     Matrix<R> normals;
     if (alignment_ == Alignment::Free) {
-      normals = least_squares<R>(of_normals_, Matrix<R>(-fixed), "normal derivatives of least energy", report.systems);
+      normals = similar.normals +
+                least_squares<R>(of_normals_, Matrix<R>(-fixed), "normal derivatives of least energy", report.systems);
     } else {
       const Matrix<R> units = rows_of(this->normals_of() == Owner::Corner
                                           ? corner_normals(Stretch::Unit, elements, pose.vertices, report.warnings)
                                           : stretched_normals(Stretch::Unit, elements, pose.vertices),
                                       elements.dimension());
-      report.figures.emplace_back("energy a sample, unit normals", energy(fixed, units));
-      normals = alignment_ == Alignment::Soft
-                    ? softly_along(units, fixed, report)
-                    : least_stretched<R>(of_normals_, fixed, units, alignment_ == Alignment::NonNegative, report);
+      report.figures.emplace_back("energy a sample, unit normals", energy(fixed, units - similar.normals));
+      normals = alignment_ == Alignment::Soft ? softly_along(units, fixed, similar.normals, report)
+                                              : along(units, fixed, similar.normals, report);
     }
     if (alignment_ != Alignment::NonNegative) warn_of_digits(report);
-    report.figures.emplace_back("energy a sample", energy(fixed, normals));
-    return this->with(vertices, normals, std::move(report));
+    report.figures.emplace_back("energy a sample", energy(fixed, normals - similar.normals));
+    return this->with(vertices, normals, similar, std::move(report));
   }
 
  private:
@@ -144,12 +146,22 @@ class Aligned final : public LayerDeformer<R> {
                                             report.systems.back().name, report.systems.back().condition));
   }
 
+  // \param normals beside the similarity's
   double energy(const Matrix<R>& fixed, const Matrix<R>& normals) const {
     return static_cast<double>(R((fixed + of_normals_ * normals).squaredNorm())) / samples_;
   }
 
+  // Eq 32 and 33. Stretches are found from those along n' that the similarity's normals have.
+  Matrix<R> along(const Matrix<R>& units, const Matrix<R>& fixed, const Matrix<R>& similar,
+                  DeformationReport& report) const {
+    const Matrix<R> start = units.cwiseProduct(similar).rowwise().sum();
+    return least_stretched<R>(of_normals_, fixed + of_normals_ * Matrix<R>(start.col(0).asDiagonal() * units - similar),
+                              units, start, alignment_ == Alignment::NonNegative, report);
+  }
+
   // Eq 34 as least squares: each coordinate's energy, and gamma_a times what is across n'.
-  Matrix<R> softly_along(const Matrix<R>& units, const Matrix<R>& fixed, DeformationReport& report) const {
+  Matrix<R> softly_along(const Matrix<R>& units, const Matrix<R>& fixed, const Matrix<R>& similar,
+                         DeformationReport& report) const {
     using std::sqrt;
     const Eigen::Index rows = of_normals_.rows(), count = units.rows(), d = units.cols();
     const R weight = sqrt(R(gamma_a_));
@@ -158,13 +170,15 @@ class Aligned final : public LayerDeformer<R> {
       matrix.block(c * rows, c * count, rows, count) = of_normals_;
       right.middleRows(c * rows, rows) = -fixed.col(c);
       for (Eigen::Index t = 0; t < count; ++t)
-        for (Eigen::Index k = 0; k < d; ++k)
-          matrix(d * rows + c * count + t, k * count + t) =
-              weight * ((c == k ? R(1) : R(0)) - R(units(t, c) * units(t, k)));
+        for (Eigen::Index k = 0; k < d; ++k) {
+          const Eigen::Index row = d * rows + c * count + t;
+          matrix(row, k * count + t) = weight * ((c == k ? R(1) : R(0)) - R(units(t, c) * units(t, k)));
+          right(row) -= matrix(row, k * count + t) * similar(t, k);
+        }
     }
     const Matrix<R> solution =
         least_squares<R>(matrix, right, "normal derivatives of least energy, softly aligned", report.systems);
-    return solution.reshaped(count, d);
+    return similar + solution.reshaped(count, d);
   }
 
   Alignment alignment_;

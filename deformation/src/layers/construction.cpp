@@ -91,8 +91,7 @@ Regularisation<R> regularisation_by(Construction construction, const CageCoordin
 bool takes_50_digits(Construction construction, const CageCoordinates& layers, int level,
                      const std::function<std::vector<SolvedSystem>()>& solved_in_double) {
   if (!layers.is_exact_in(ScalarKind::Digits50) || !can_have_50_digits(layers.elements(), level)) return false;
-  const bool as_deformers = layers.dimension() == 2 || construction == Construction::OneTwo;
-  if (as_deformers && wants_50_digits(layers.elements(), level)) return true;
+  if (wants_50_digits(layers.elements(), level, construction == Construction::OneTwo)) return true;
   // Systems that are solved one after the other enlarge each other's roundings.
   double condition = 1;
   for (const SolvedSystem& system : solved_in_double()) condition *= system.condition;

@@ -4,7 +4,10 @@
 #pragma once
 
 #include "../linear_pose_derivative.h"
+#include "../nearest_motion.h"
 #include "../normal_slopes.h"
+#include "../own_place.h"
+#include "../own_unit.h"
 #include "../posed_orientation.h"
 #include "corner_normals.h"
 #include "regularisation.h"
@@ -28,6 +31,12 @@ inline CageCoordinates layers_of(const Cage& cage, const DeformOptions& options,
   return {cage, coordinate_kind_named(normals == Owner::Corner ? "biharmonic_affine" : "biharmonic"),
           CoordinateOptions{options.evaluation, options.triangulation, {}}};
 }
+
+/// What a similarity makes of a cage's vertices and of its normal derivatives, a row each.
+template <Scalar R>
+struct Similar {
+  Matrix<R> vertices, normals;
+};
 
 template <Scalar R>
 class LayerDeformer : public Deformer<R> {
@@ -58,10 +67,42 @@ class LayerDeformer : public Deformer<R> {
   void regularise(Regularisation<R> found) { regularisation_ = std::move(found); }
   const Regularisation<R>& regularisation() const { return regularisation_; }
 
+  /// What the similarity next to the pose makes of the cage at rest. Its densities, and its second derivatives, are
+  /// zero by what layers are. Sums of layers give zero only up to their roundings, which a system's condition
+  /// multiplies. So a method asks its system for what the pose has beside this, and rigid poses keep their digits.
+  Similar<R> similar_to(const std::vector<Vec3<R>>& posed) const {
+    using std::isfinite;
+    const CageElements& elements = coordinates_.elements();
+    const int d = elements.dimension();
+    const std::vector<Vec3<double>>& rest = elements.vertices();
+    Constraints vertices;
+    std::vector<Vec3<double>> targets;
+    vertices.positions.reserve(rest.size());
+    targets.reserve(rest.size());
+    for (std::size_t v = 0; v < rest.size(); ++v) {
+      targets.push_back(convert<double>(posed[v]));
+      vertices.positions.push_back({rest[v], targets.back()});
+    }
+    const Motion<R> motion = nearest_motion<R>(vertices, targets, own_place(rest), size_of(elements), d);
+    const auto step_from = [d](const std::vector<Vec3<R>>& points, const Vec3<double>& place) -> Matrix<R> {
+      return rows_of(points, d).rowwise() - convert<R>(place).head(d).transpose();
+    };
+    const Matrix<R> from = step_from(vertices_in<R>(elements), motion.from);
+    const R ratio = spread(step_from(posed, motion.to)) / spread(from);
+    // All to the mean is a similarity, too.
+    const R scale = isfinite(ratio) ? ratio : R(0);
+    DeformationReport of_rest;
+    Matrix<R> turned = scale * motion.turned(from);
+    turned.rowwise() += convert<R>(motion.to).head(d).transpose();
+    return {std::move(turned),
+            scale * motion.turned(rows_of(own_normals(Stretch::Unit, vertices_in<R>(elements), of_rest), d))};
+  }
+
   /// The pose with these normal derivatives, a row each of normals_of().
-  std::unique_ptr<const Posed<R>> with(const Matrix<R>& vertices, const Matrix<R>& normals,
+  std::unique_ptr<const Posed<R>> with(const Matrix<R>& vertices, const Matrix<R>& normals, const Similar<R>& similar,
                                        DeformationReport report) const {
-    const Matrix<R> densities = regularisation_.to_vertices * vertices + regularisation_.to_normals * normals;
+    const Matrix<R> densities = regularisation_.to_vertices * (vertices - similar.vertices) +
+                                regularisation_.to_normals * (normals - similar.normals);
     const Eigen::Index n = vertices.rows();
     return std::make_unique<LinearPosed<R>>(
         std::vector<Matrix<R>>{vertices, normals, densities.topRows(n), densities.bottomRows(densities.rows() - n)},
@@ -69,6 +110,13 @@ class LayerDeformer : public Deformer<R> {
   }
 
  private:
+  // How far rows are from their mean. Squares are taken of shares, which stay in range.
+  static R spread(const Matrix<R>& rows) {
+    const Matrix<R> steps = rows.rowwise() - rows.colwise().mean();
+    const R largest = steps.cwiseAbs().maxCoeff();
+    return largest > 0 ? R(largest * Matrix<R>(steps / largest).norm()) : R(0);
+  }
+
   CageCoordinates coordinates_;
   Regularisation<R> regularisation_;
 };

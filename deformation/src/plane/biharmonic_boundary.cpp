@@ -58,7 +58,7 @@ class BiharmonicBoundary final : public Deformer<R> {
       normals = rows_of(pose.normal_derivatives, 2);
     } else if (normals_ == BoundaryNormals::LeastLaplacians) {
       const Matrix<R> units = rows_of(stretched_normals(Stretch::Unit, elements, pose.vertices), 2);
-      normals = least_stretched<R>(of_normals_, fixed, units, true, report);
+      normals = least_stretched<R>(of_normals_, fixed, units, Matrix<R>::Zero(units.rows(), 1), true, report);
     } else {
       // Edges without length have no share in complex maps, and no normal.
       const Stretch stretch = normals_ == BoundaryNormals::Unit ? Stretch::Unit : Stretch::Area;

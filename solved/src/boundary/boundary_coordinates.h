@@ -35,6 +35,9 @@ struct Densities {
   };
   std::vector<Share> shares;
   std::vector<SolvedSystem> systems;  ///< in double alone, and where asked for
+  /// What rounding to double left of `own`, where it was solved in 50 digits: without it affine maps, of which `own`
+  /// vanishes, would keep the roundings of its large numbers. Empty where it was not.
+  Matrix<R> rest = {};
 };
 
 inline constexpr std::string_view offset_evaluation = "offset-1e-6";
@@ -112,6 +115,7 @@ class BoundaryCoordinates final : public CoordinatesInDouble<BoundaryCoordinates
                   std::span<CoordinateTable<double>> tables) const override {
     Densities<double> sizes = prepared<double>().densities;
     sizes.own = sizes.own.cwiseAbs().eval();
+    sizes.rest.resize(0, 0);
     for (auto& share : sizes.shares) share.matrix = share.matrix.cwiseAbs().eval();
     Parts<double> parts = parts_at<double>(points, order);
     const auto make_sizes = [](std::vector<double>& numbers) {
@@ -200,6 +204,7 @@ class BoundaryCoordinates final : public CoordinatesInDouble<BoundaryCoordinates
 
   static Densities<double> rounded(const Densities<Mp50>& densities) {
     Densities<double> found{densities.own.template cast<double>(), {}, {}};
+    found.rest = (densities.own - found.own.template cast<Mp50>()).template cast<double>();
     for (const auto& [layer, row, matrix] : densities.shares)
       found.shares.push_back({layer, row, matrix.template cast<double>()});
     return found;
@@ -312,7 +317,27 @@ class BoundaryCoordinates final : public CoordinatesInDouble<BoundaryCoordinates
       if (share.matrix.size() == 0) together.middleRows(share.row, layer.rows()) += layer;
       else together.middleRows(share.row, share.matrix.rows()).noalias() += share.matrix * layer;
     }
+    if constexpr (std::same_as<R, double>)
+      if (densities.rest.size() > 0) return with_rest(densities, together);
     return densities.own * together;
+  }
+
+  // `own` times layers as if in twice the digits of double: terms are as much larger than their sum as the cage is
+  // thin.
+  static Matrix<double> with_rest(const Densities<double>& densities, const Matrix<double>& layers) {
+    Matrix<double> found = densities.rest * layers;
+    for (Eigen::Index i = 0; i < found.rows(); ++i)
+      for (Eigen::Index c = 0; c < found.cols(); ++c) {
+        double sum = 0, low = found(i, c);
+        for (Eigen::Index k = 0; k < layers.rows(); ++k) {
+          const double factor = densities.own(i, k), product = factor * layers(k, c), next = sum + product,
+                       added = next - sum;
+          low += std::fma(factor, layers(k, c), -product) + ((sum - (next - added)) + (product - added));
+          sum = next;
+        }
+        found(i, c) = sum + low;
+      }
+    return found;
   }
 
   template <Scalar R>
