@@ -9,24 +9,23 @@
 #include "cageproof/judge/vectors.h"
 #include "cageproof/reports/checked_file.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <array>
+#include <concepts>
 #include <filesystem>
 
 namespace cageproof::cli {
 namespace {
-
-constexpr std::array<std::string_view, 3> kCageKinds{"mean_value", "green", "biharmonic"};
 
 struct VectorArguments {
   std::string out, formulas, kinds, cages = "*", command;
   judge::VectorOptions options;
 };
 
-std::string npy(const std::vector<double>& numbers, const std::vector<std::size_t>& shape) {
-  std::string bytes = npy_header("<f8", shape);
-  bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
+template <class T>
+std::string npy(const std::vector<T>& numbers, const std::vector<std::size_t>& shape) {
+  std::string bytes = npy_header(std::same_as<T, double> ? "<f8" : "<i4", shape);
+  bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T));
   return bytes;
 }
 
@@ -41,17 +40,24 @@ struct Written {
 };
 
 void add_cages(Written& written, const VectorArguments& a, const std::string& version) {
-  for (const std::string_view kind : kCageKinds) {
+  for (const std::string_view kind : judge::vector_kinds()) {
     if (!matches(a.kinds, kind)) continue;
     for (const std::string_view cage : judge::vector_cages()) {
-      if (!matches(a.cages, cage)) continue;
+      if (!matches(a.cages, cage) || !judge::has_vectors(kind, cage)) continue;
       const judge::CageVectorSet set = judge::make_cage_vectors(kind, cage, a.options);
+      const judge::CageVectorTables tables = judge::cage_vectors_tables(set);
+      const std::size_t rows = set.vectors.size();
       const std::filesystem::path stem = std::filesystem::path(a.out) / fmt::format("{}.{}", kind, cage);
       written.add(stem, ".json", judge::cage_vectors_json(set, a.options, version, a.command));
       written.add(stem, ".txt", judge::cage_vectors_text(set));
-      written.vectors += set.vectors.size();
+      written.add(stem, ".vertices.npy", npy(tables.vertices, {set.question.vertices.size(), tables.dimension}));
+      written.add(stem, ".faces.npy", npy(tables.faces, {set.question.faces.size(), tables.corners}));
+      written.add(stem, ".points.npy", npy(tables.points, {rows, tables.dimension}));
+      written.add(stem, ".truths.npy", npy(tables.truths, {rows, tables.coordinates, 2}));
+      written.add(stem, ".denominators.npy", npy(tables.denominators, {rows, set.blocks.size()}));
+      written.vectors += rows;
       fmt::print("{} in {}: {} vectors; of {} points {} fail no known defect, and {} have no truth to 28 digits\n",
-                 kind, cage, set.vectors.size(), set.candidates, set.without_defect, set.without_truth);
+                 kind, cage, rows, set.candidates, set.without_defect, set.without_truth);
       std::fflush(stdout);
     }
   }
@@ -87,7 +93,7 @@ int run(const VectorArguments& given) {
   VectorArguments a = given;
   if (a.formulas.empty() && a.kinds.empty()) a.formulas = "triangle.*,segment.*";
   if (!a.formulas.empty()) require_known("formula", a.formulas, formula_names());
-  if (!a.kinds.empty()) require_known("kind of coordinates", a.kinds, {kCageKinds.begin(), kCageKinds.end()});
+  if (!a.kinds.empty()) require_known("kind of coordinates", a.kinds, judge::vector_kinds());
   require_known("cage", a.cages, judge::vector_cages());
   std::error_code failed;
   std::filesystem::create_directories(a.out, failed);
@@ -114,7 +120,9 @@ void add_vectors(CommandLine& line, const std::string& command_line) {
               "names and globs with commas between; without --formulas and --kinds all formulas of triangles and "
               "segments")
       .taking("GLOB");
-  command.option("--kinds", a->kinds, "coordinates of whole cages: mean_value, green, biharmonic, or globs")
+  command
+      .option("--kinds", a->kinds,
+              fmt::format("coordinates of whole cages: {}, or globs", fmt::join(judge::vector_kinds(), ", ")))
       .taking("GLOB");
   command.option("--cages", a->cages, "of --kinds").taking("GLOB").showing_default();
   command.option("--seed", a->options.seed, "of the samples").showing_default();

@@ -48,16 +48,26 @@ END
 if [ "${3:-}" = long ]; then
   c++ -O1 -isystem "$vtk" "$folder/adapters/vtk_polygons.cpp" -o vtk_polygons -lvtkFiltersGeneral-"$version" -lvtkCommonDataModel-"$version" \
     -lvtkCommonCore-"$version" || fail "the adapter of VTK's polygons does not compile"
-  finds_in ./vtk_polygons 'absolute_threshold ' --kind spherical_mean_value
+  finds_in ./vtk_polygons 'absolute_threshold wrong_values ' --kind spherical_mean_value
+  c++ -O1 -DNDEBUG "$folder/adapters/cgal_rational.cpp" -o cgal_rational -lgmp || fail "the adapter of CGAL's rational coordinates does not compile"
+  for kind in wachspress discrete_harmonic; do
+    for policy in precise fast; do
+      /usr/bin/python3 "$folder/adapters/rational_polygons.py" $kind ./cgal_rational $kind $policy >stdout || fail "$kind, $policy: $(cat stdout)"
+      awk '$5 > 1e-15 || $6 {exit 1} END {exit NR != 7}' stdout || fail "$kind, $policy: $(cat stdout)"
+    done
+  done
   c++ -O2 -DNDEBUG "$folder/adapters/cgal_side.cpp" -o cgal_side -lgmp || fail "the adapter of CGAL's sides does not compile"
   finds_in ./cgal_side '' --kind inside
   c++ -O2 -DNDEBUG -DDOUBLES "$folder/adapters/cgal_side.cpp" -o cgal_side_doubles -lgmp || fail "the adapter of CGAL's sides in doubles does not compile"
   finds_in ./cgal_side_doubles 'wrong side ' --kind inside
 fi
 
-# Sides: who counts windings is wrong on cages only, in space and in the plane.
+# Sides: exact rays are right, thresholds wrong next to cages, and who counts windings is wrong on cages only, in space and in the plane.
 for dimension in 3 2; do
-  finds_in "$folder/tests/programs/sides.py" 'wrong side ' --kind inside --dimension $dimension --out sides
+  finds_in "$folder/zoo/sides.py exact" '' --kind inside --dimension $dimension
+  finds_in "$folder/zoo/sides.py threshold" 'wrong side ' --kind inside --dimension $dimension --regimes 'generic,near-*,units,on-vertex'
+  grep -q ': on-vertex' stdout && fail "a threshold in $dimension dimensions is wrong on vertices, too: $(cat stdout)"
+  finds_in "$folder/zoo/sides.py windings" 'wrong side ' --kind inside --dimension $dimension --out sides
   grep -q '^sides of cages$' stdout || fail "no table of sides: $(cat stdout)"
   /usr/bin/python3 - <<'END' || fail "certificate.json of sides in $dimension dimensions"
 import json

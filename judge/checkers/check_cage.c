@@ -13,9 +13,9 @@
 enum { most_vertices = 256, most_faces = 512, most_coordinates = 1024, most_blocks = 8, longest_line = 1 << 17 };
 
 struct cage {
-  int dimension, vertices, faces;
+  int dimension, corners, vertices, faces;
   double vertex[3 * most_vertices]; /* [vertex][dimension] */
-  int face[3 * most_faces];         /* [face][dimension]: triangles, in the plane segments */
+  int face[4 * most_faces]; /* [face][corners]: 3, in the plane 2, with quads 4, where a triangle's last one is -1 */
 };
 
 /* The product of three exact differences of corners and the point, in all orders with their signs: six times a volume,
@@ -95,7 +95,7 @@ static void coordinates(const struct cage* cage, const double* point, double* fo
   double sum = 0;
   for (int v = 0; v < cage->vertices; ++v) found[v] = 0;
   for (int f = 0; f < cage->faces; ++f) {
-    const int* const face = cage->face + dimension * f;
+    const int* const face = cage->face + cage->corners * f;
     struct difference d[3][3];
     double w[3];
     for (int k = 0; k < dimension; ++k)
@@ -121,24 +121,25 @@ static const char* read_cage(FILE* file, char* line, struct cage* cage, int* vec
   int used = 0, size = 0, all = 0;
   double number = 0;
   if (!fgets(line, longest_line, file) ||
-      sscanf(line, "%127s %d %d %d %d%n", name, vectors, &cage->dimension, &cage->vertices, &cage->faces, &used) != 5)
-    return "line 1 is not KIND.CAGE VECTORS DIMENSION VERTICES FACES SIZES";
+      sscanf(line, "%127s %d %d %d %d %d%n", name, vectors, &cage->dimension, &cage->corners, &cage->vertices, &cage->faces,
+             &used) != 6)
+    return "line 1 is not KIND.CAGE VECTORS DIMENSION CORNERS VERTICES FACES SIZES";
   if (strncmp(name, KIND ".", sizeof KIND) != 0) return "it is not of KIND, which the function is of";
   for (char* at = line + used; sscanf(at, "%d%n", &size, &used) == 1; at += used) {
     if (*blocks == most_blocks || size < 1 || size > most_coordinates) return "line 1 has too many coordinates";
     all += sizes[(*blocks)++] = size;
   }
   if (*vectors < 1 || *blocks < 1 || all > most_coordinates || cage->dimension < 2 || cage->dimension > 3 ||
-      cage->vertices < 1 || cage->vertices > most_vertices || cage->faces < 1 || cage->faces > most_faces)
+      cage->corners < cage->dimension || cage->corners > 4 || cage->vertices < 1 || cage->vertices > most_vertices || cage->faces < 1 || cage->faces > most_faces)
     return "line 1 has no vectors, or too large a cage";
-  const int numbers = cage->dimension * cage->vertices, corners = cage->dimension * cage->faces;
+  const int numbers = cage->dimension * cage->vertices, corners = cage->corners * cage->faces;
   if (!fgets(line, longest_line, file) || strncmp(line, "vertices ", 9) != 0 ||
       !read_numbers(line + 9, numbers, cage->vertex))
     return "line 2 has not as many vertices as line 1 says";
   char* at = fgets(line, longest_line, file) && strncmp(line, "faces ", 6) == 0 ? line + 6 : NULL;
   for (int i = 0; i < corners; ++i) {
     at = at ? read_numbers(at, 1, &number) : NULL;
-    if (!at || number < 0 || number >= cage->vertices) return "line 3 has not as many faces as line 1 says";
+    if (!at || number < (i % 4 == 3 && cage->corners == 4 ? -1 : 0) || number >= cage->vertices) return "line 3 has not as many faces as line 1 says";
     cage->face[i] = (int)number;
   }
   return NULL;

@@ -97,10 +97,10 @@ function refuseDamage(data) {
   if (data.format !== 'cageproof cage vectors 1') throw new Error(`its format is ${data.format}`)
   const stated = data.candidates - data.without_truth - data.without_defect
   if (data.vectors.length !== stated) throw new Error(`${data.vectors.length} vectors, not ${stated}`)
-  const most = data.vertices.length + data.faces.length + 1
+  const most = 36 * (data.vertices.length + data.faces.length) + 1
   if (!sizes.length || !sizes.every((n) => whole(n, 1, most))) throw new Error(`its blocks have sizes ${sizes}`)
   for (const face of data.faces) {
-    if (face.length !== corners || !face.every((i) => whole(i, 0, data.vertices.length))) throw new Error(`a face is ${JSON.stringify(face)}`)
+    if ((face.length !== corners && face.length !== 2 * corners - 2) || !face.every((i) => whole(i, 0, data.vertices.length))) throw new Error(`a face is ${JSON.stringify(face)}`)
   }
   const all = sizes.reduce((a, b) => a + b)
   data.vectors.forEach((v, number) => {

@@ -95,10 +95,10 @@ def refuse_damage(data):
     stated = data["candidates"] - data["without_truth"] - data["without_defect"]
     if len(data["vectors"]) != stated:
         raise ValueError(f"{len(data['vectors'])} vectors, not {stated}")
-    if not sizes or not all(type(n) is int and 0 < n <= len(data["vertices"]) + len(data["faces"]) for n in sizes):
+    if not sizes or not all(type(n) is int and 0 < n <= 36 * (len(data["vertices"]) + len(data["faces"])) for n in sizes):
         raise ValueError(f"its blocks have sizes {sizes}")
     for face in data["faces"]:
-        if len(face) != corners or not all(type(i) is int and 0 <= i < len(data["vertices"]) for i in face):
+        if len(face) not in (corners, 2 * corners - 2) or not all(type(i) is int and 0 <= i < len(data["vertices"]) for i in face):
             raise ValueError(f"a face is {face}")
     for number, v in enumerate(data["vectors"]):
         if len(v["value"]) != sum(sizes) or not all(isinstance(x, str) for x in v["value"]):

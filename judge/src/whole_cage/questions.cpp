@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace cageproof::judge {
 namespace {
@@ -14,6 +15,8 @@ struct Shape {
   std::vector<Vec3<double>> vertices;
   std::vector<Face> faces;
   int dimension = 3;
+  /// Vertices of convex parts, which points inside are taken of in turn; empty for convex shapes.
+  std::vector<std::vector<std::size_t>> parts = {};
 };
 
 std::vector<Face> faces_of(const std::vector<std::vector<int>>& corners) {
@@ -31,7 +34,8 @@ const std::vector<Shape>& shapes_in_space() {
   return all;
 }
 
-// A block, a frustum and a wedge with two triangles. All quads are planar.
+// A block, a frustum, a wedge with two triangles, and an L-shaped block, within which faces are seen from behind. All
+// quads are planar.
 const std::vector<Shape>& shapes_of_quads() {
   const std::vector<std::vector<int>> box{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                           {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
@@ -39,16 +43,50 @@ const std::vector<Shape>& shapes_of_quads() {
       {{{0, 0, 0}, {4, 0, 0}, {4, 8, 0}, {0, 8, 0}, {0, 0, 4}, {4, 0, 4}, {4, 8, 4}, {0, 8, 4}}, faces_of(box)},
       {{{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}, {2, 2, 4}, {6, 2, 4}, {6, 6, 4}, {2, 6, 4}}, faces_of(box)},
       {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 8}, {4, 0, 8}, {0, 4, 8}},
-       faces_of({{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}})}};
+       faces_of({{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}})},
+      {{{0, 0, 0},
+        {4, 0, 0},
+        {8, 0, 0},
+        {8, 4, 0},
+        {4, 4, 0},
+        {4, 8, 0},
+        {0, 8, 0},
+        {0, 4, 0},
+        {0, 0, 4},
+        {4, 0, 4},
+        {8, 0, 4},
+        {8, 4, 4},
+        {4, 4, 4},
+        {4, 8, 4},
+        {0, 8, 4},
+        {0, 4, 4}},
+       faces_of({{7, 4, 1, 0},
+                 {4, 3, 2, 1},
+                 {6, 5, 4, 7},
+                 {8, 9, 12, 15},
+                 {9, 10, 11, 12},
+                 {15, 12, 13, 14},
+                 {0, 1, 9, 8},
+                 {1, 2, 10, 9},
+                 {2, 3, 11, 10},
+                 {3, 4, 12, 11},
+                 {4, 5, 13, 12},
+                 {5, 6, 14, 13},
+                 {6, 7, 15, 14},
+                 {7, 0, 8, 15}}),
+       3,
+       {{1, 2, 3, 4, 9, 10, 11, 12}, {4, 5, 6, 7, 12, 13, 14, 15}}}};
   return all;
 }
 
 // Two triangles, and an arrowhead, which its diagonal between vertices 0 and 2 halves.
 const std::vector<Shape>& shapes_in_plane() {
-  static const std::vector<Shape> all{
-      {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, faces_of({{0, 1}, {1, 2}, {2, 0}}), 2},
-      {{{0, 0, 0}, {4, -4, 0}, {1, 0, 0}, {4, 4, 0}}, faces_of({{0, 1}, {1, 2}, {2, 3}, {3, 0}}), 2},
-      {{{0, 0, 0}, {12, 0, 0}, {1, 4, 0}}, faces_of({{0, 1}, {1, 2}, {2, 0}}), 2}};
+  static const std::vector<Shape> all{{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, faces_of({{0, 1}, {1, 2}, {2, 0}}), 2},
+                                      {{{0, 0, 0}, {4, -4, 0}, {1, 0, 0}, {4, 4, 0}},
+                                       faces_of({{0, 1}, {1, 2}, {2, 3}, {3, 0}}),
+                                       2,
+                                       {{0, 1, 2}, {0, 2, 3}}},
+                                      {{{0, 0, 0}, {12, 0, 0}, {1, 4, 0}}, faces_of({{0, 1}, {1, 2}, {2, 0}}), 2}};
   return all;
 }
 
@@ -62,12 +100,10 @@ Vec3<double> inside(const Shape& shape, std::uint64_t index) {
   RandomStream random(3, "whole cage", index);
   Vec3<double> point = Vec3<double>::Zero();
   double sum = 0;
-  // The vertex of an arrowhead's other half.
-  const std::size_t left_out = shape.dimension == 3 || shape.vertices.size() == 3 ? shape.vertices.size()
-                               : index % 2 == 0                                   ? 3
-                                                                                  : 1;
-  for (std::size_t v = 0; v < shape.vertices.size(); ++v) {
-    const double weight = v == left_out ? 0 : random.uniform(0.1, 1);
+  std::vector<std::size_t> all(shape.vertices.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  for (const std::size_t v : shape.parts.empty() ? all : shape.parts[index % shape.parts.size()]) {
+    const double weight = random.uniform(0.1, 1);
     point += weight * shape.vertices[v];
     sum += weight;
   }

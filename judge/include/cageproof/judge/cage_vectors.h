@@ -6,6 +6,7 @@
 #include "cageproof/judge/cage_question.h"
 #include "cageproof/judge/vectors.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,20 +41,36 @@ struct CageDefect {
 /// All defects that vectors of cages aim at: defects of elements, summed over a cage, and defects that only cages have.
 std::vector<CageDefect> cage_defects();
 
-/// The cages: "tetrahedron", "small-tetrahedron", "cube", "l-block"; in the plane "l-shape", "star".
+/// Kinds that have vectors.
+std::vector<std::string_view> vector_kinds();
+/// The cages: "tetrahedron", "small-tetrahedron", "cube", "l-block"; with quads "bent-box", "quad-l-block"; in the
+/// plane "l-shape", "star".
 std::vector<std::string_view> vector_cages();
+/// Whether a kind has vectors in a cage: kinds that keep quads in those with quads, others in the other ones.
+bool has_vectors(std::string_view kind, std::string_view cage);
 
-/// Makes the vectors of a kind in one cage. Truths are sums of closed forms in 100 digits. Points where sums of the
-/// defining integrals, in 50 digits, do not agree to 28 are left out and counted, and so are those that no defect
-/// fails. \throws InputError as require_judged_kind, and for an unknown cage
+/// Makes the vectors of a kind in one cage. Truths are sums of closed forms, of quads line forms, in 100 digits. Points
+/// where sums of the defining integrals, in 50 digits, do not agree to 28 are left out and counted, and so are those
+/// that no defect fails. Kinds that are no sums have a second route in the place of integrals.
+/// \throws InputError for a kind or a cage that has none
 CageVectorSet make_cage_vectors(std::string_view kind, std::string_view cage, const VectorOptions& options);
 
 /// JSON, one vector per line. \param command what made it
 std::string cage_vectors_json(const CageVectorSet& set, const VectorOptions& options, std::string_view version,
                               std::string_view command);
-/// Lines of words: KIND.CAGE, the numbers of vectors, of coordinates of a point, of vertices, faces, and coordinates of
-/// each block; all vertices; all faces; then per vector flags, the point, each truth as a sum of two doubles, and
-/// denominators.
+/// Lines of words: KIND.CAGE, the numbers of vectors, of coordinates of a point, of corners of the largest face, of
+/// vertices, faces, and coordinates of each block; all vertices; all faces, a triangle among quads with -1 last; then
+/// per vector flags, the point, each truth as a sum of two doubles, and denominators.
 std::string cage_vectors_text(const CageVectorSet& set);
+
+/// Row-major tables for .npy.
+struct CageVectorTables {
+  std::size_t dimension = 0, corners = 0, coordinates = 0;  ///< columns of points and vertices, of faces, of truths
+  std::vector<double> vertices, points;
+  std::vector<std::int32_t> faces;  ///< a triangle among quads has -1 last
+  std::vector<double> truths;       ///< each number as a sum of two doubles
+  std::vector<double> denominators;
+};
+CageVectorTables cage_vectors_tables(const CageVectorSet& set);
 
 }  // namespace cageproof::judge
