@@ -17,7 +17,9 @@ target_compile_options(cageproof_flags INTERFACE
   # The stored worst cases are one long literal.
   -Wno-overlength-strings
   # Error-free transformations need each operation rounded on its own.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # What nobody calls can then be left out of the shared library.
+  $<$<BOOL:${CAGEPROOF_LIBRARY_ONLY}>:-ffunction-sections> $<$<BOOL:${CAGEPROOF_LIBRARY_ONLY}>:-fdata-sections>)
 if(CAGEPROOF_SANITIZE STREQUAL address)
   # Null and misaligned members are checked at every access, which doubles the build; a null one faults under the address sanitizer anyway. So do, for Clang,
   # virtual tables, and sizes and overflows of pointers, which the address sanitizer sees where memory is touched.

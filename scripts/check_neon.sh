@@ -7,7 +7,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cxx=aarch64-linux-gnu-g++
 command -v "$cxx" >/dev/null || {
-  echo "$cxx is missing: apt-get install g++-aarch64-linux-gnu qemu-user-static" >&2
+  echo "$cxx is missing: scripts/ensure_packages.sh arm" >&2
   exit 2
 }
 work=$(mktemp -d)
@@ -47,7 +47,7 @@ build_as() {
 build_as fast
 build_as careful -DCAGEPROOF_PAIRS
 qemu=$(command -v qemu-aarch64-static || command -v qemu-aarch64) || {
-  echo "not run: qemu-aarch64 is missing (apt-get install qemu-user-static)"
+  echo "not run: qemu-aarch64 is missing (scripts/ensure_packages.sh arm)"
   exit 0
 }
 for kind in fast careful; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# scripts/ensure_packages.sh [tests]: installs the Debian packages that Cageproof needs, or its tests as well, and the machine lacks; silent when nothing is missing.
+# scripts/ensure_packages.sh [tests|arm]: installs the Debian packages that Cageproof needs, or its tests or the check on AArch64 as well, and the machine lacks; silent when nothing is missing.
 # Says before what it installs and why. Exit 0: all there; 2: something is missing and could not be installed, or ParaView's package is in the way.
 # Without dpkg it names the packages that are needed and leaves the verdict to CMake.
 set -euo pipefail
@@ -74,10 +74,19 @@ python3-vtk9             looks at the picture of a field's page
 LIST
 }
 
+# What scripts/check_neon.sh and `scripts/check_alone arm` need beside that.
+arm_alone() {
+  cat <<'LIST'
+g++-aarch64-linux-gnu    compiles for AArch64, and has its standard library, which clang-16 takes too
+qemu-user-static         runs what was compiled for AArch64
+LIST
+}
+
 with=${1-}
 needed() {
   packages
   if [[ $with == tests ]]; then tests_alone; fi
+  if [[ $with == arm ]]; then arm_alone; fi
 }
 
 if ! command -v dpkg-query >/dev/null; then

@@ -5,7 +5,9 @@
 
 #include "cageproof/core/numbers/scalar.h"
 
+#ifndef CAGEPROOF_NO_NLOPT
 #include <nlopt.h>
+#endif
 
 #include <algorithm>
 #include <memory>
@@ -23,6 +25,15 @@ std::vector<Eigen::Index> members(const ColumnSet& set, bool value) {
     if (set[k] == value) found.push_back(static_cast<Eigen::Index>(k));
   return found;
 }
+
+#ifdef CAGEPROOF_NO_NLOPT
+
+// Where the exchanges start: with none.
+ColumnSet program_columns(const Matrix<double>& matrix, const Matrix<double>& /*right*/, bool /*deficient*/) {
+  return ColumnSet(static_cast<std::size_t>(matrix.cols()), false);
+}
+
+#else
 
 // Least |y - target|^2 / 2 subject to rows y >= 0.
 struct QuadraticProgram {
@@ -80,6 +91,8 @@ ColumnSet program_columns(const Matrix<double>& matrix, const Matrix<double>& ri
   for (Eigen::Index k = 0; k < n; ++k) positive[k] = distances[k] > 1e-9;
   return positive;
 }
+
+#endif
 
 template <Scalar R>
 struct Attempt {

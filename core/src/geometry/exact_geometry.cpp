@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace cageproof {
 namespace {
@@ -13,6 +14,16 @@ using exact::Integer;
 
 // The most bits that integers may have: doubles ask for 2098.
 constexpr long kWidest = 16384;
+
+// The least number of bits that hold x. \pre finite, not zero
+template <class W>
+long significant_bits(const W& x) {
+#ifdef CAGEPROOF_NO_MPFR
+  return static_cast<long>(msb(abs(exact::scaled(x).integer))) + 1;
+#else
+  return static_cast<long>(mpfr_min_prec(x.data()));
+#endif
+}
 
 // Vectors over integers and over numbers of 200 digits alike.
 template <class T, std::size_t N>
@@ -46,9 +57,9 @@ Bits bits_of(const Tuple<W, N>& numbers) {
   Bits bits;
   for (const W& x : numbers) {
     if (x.is_zero()) continue;
-    const long high = mpfr_get_exp(x.data());
+    const auto high = static_cast<long>(x.exponent());
     bits.high = std::max(bits.high, high);
-    bits.low = std::min(bits.low, high - static_cast<long>(mpfr_min_prec(x.data())));
+    bits.low = std::min(bits.low, high - significant_bits(x));
   }
   return bits;
 }
@@ -63,10 +74,11 @@ Tuple<Integer, N> integers(const Tuple<W, N>& numbers, long low) {
   Tuple<Integer, N> result;
   for (std::size_t i = 0; i < N; ++i) {
     if (numbers[i].is_zero()) continue;
-    mpz_ptr integer = result[i].backend().data();
-    const long shift = mpfr_get_z_2exp(integer, numbers[i].data()) - low;
-    if (shift >= 0) mpz_mul_2exp(integer, integer, static_cast<mp_bitcnt_t>(shift));
-    else mpz_tdiv_q_2exp(integer, integer, static_cast<mp_bitcnt_t>(-shift));  // zeros alone
+    exact::Scaled scaled = exact::scaled(numbers[i]);
+    const long shift = scaled.exponent - low;
+    if (shift >= 0) scaled.integer <<= shift;
+    else scaled.integer >>= -shift;  // zeros alone
+    result[i] = std::move(scaled.integer);
   }
   return result;
 }
@@ -76,11 +88,7 @@ template <class W>
 struct Rounded {
   long exponent;
 
-  W operator()(const Integer& x, int degree) const {
-    W result;
-    mpfr_set_z_2exp(result.data(), x.backend().data(), degree * exponent, MPFR_RNDN);
-    return result;
-  }
+  W operator()(const Integer& x, int degree) const { return exact::nearest<W>(x, degree * exponent); }
 };
 struct AsItIs {
   template <class W>

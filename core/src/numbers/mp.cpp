@@ -3,12 +3,12 @@
 
 #include "cageproof/core/numbers/mp_number.h"
 
-#include <boost/math/constants/constants.hpp>
+#ifdef CAGEPROOF_NO_MPFR
+#include "mp_by_boost.h"
+#else
+#include "mp_by_mpfr.h"
+#endif
 
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 #include <new>
 #include <ostream>
@@ -21,75 +21,33 @@ namespace bm = boost::multiprecision;
 // The common beginning of all constructors.
 template <unsigned D, class... Values>
 void construct(void* storage, const Values&... values) {
-  static_assert(sizeof(MpNumber<D>) == sizeof(Mp<D>) && alignof(MpNumber<D>) <= alignof(Mp<D>));
+  static_assert(sizeof(MpNumber<D>) <= sizeof(Mp<D>) && alignof(MpNumber<D>) <= alignof(Mp<D>));
+  static_assert(Mp<D>::bits == unsigned(std::numeric_limits<MpNumber<D>>::digits));
+#ifndef CAGEPROOF_NO_MPFR
   static_assert(std::is_standard_layout_v<typename MpNumber<D>::backend_type> &&
                 std::is_standard_layout_v<MpNumber<D>>);
-  static_assert(Mp<D>::bits == unsigned(std::numeric_limits<MpNumber<D>>::digits));
   static_assert(std::numeric_limits<Mp<D>>::max_digits10 == std::numeric_limits<MpNumber<D>>::max_digits10);
+#endif
   new (storage) MpNumber<D>(values...);
-}
-
-double by_mpfr(mpfr_srcptr x, double) { return mpfr_get_d(x, MPFR_RNDN); }
-long double by_mpfr(mpfr_srcptr x, long double) { return mpfr_get_ld(x, MPFR_RNDN); }
-
-// The number of that sign that is digits * 2^(exponent - 53), of 53 bits, or 2^53 itself.
-double assembled(std::uint64_t digits, mpfr_exp_t exponent, bool negative, double) {
-  constexpr int bias = 1023;
-  // The highest of the digits, which is not stored, adds one to the exponent, as does what 53 bits do not hold.
-  const std::uint64_t bits = (static_cast<std::uint64_t>(exponent + bias - 2) << 52) + digits;
-  return std::bit_cast<double>(bits | static_cast<std::uint64_t>(negative) << 63);
-}
-// As above, of 64 bits, of which 2^64 is zero.
-long double assembled(std::uint64_t digits, mpfr_exp_t exponent, bool negative, long double) {
-  constexpr int bias = 16383;
-  constexpr std::uint64_t highest = std::uint64_t{1} << 63;
-  const auto head = static_cast<std::uint16_t>((exponent + bias - (digits == 0 ? 0 : 1)) | (negative ? 1 << 15 : 0));
-  if (digits == 0) digits = highest;
-  long double number = 0;
-  std::memcpy(&number, &digits, sizeof digits);
-  std::memcpy(reinterpret_cast<std::byte*>(&number) + sizeof digits, &head, sizeof head);
-  return number;
-}
-
-// The nearest of F's numbers, ties to even. MPFR's own functions make a number of F's precision first, and the one for
-// long double asks for memory, which takes as long as six products in 50 digits.
-template <class F>
-F nearest(mpfr_srcptr x) {
-  using Limits = std::numeric_limits<F>;
-  constexpr int digits = Limits::digits;
-  static_assert(GMP_NUMB_BITS == 64);
-  // IEEE's double, and the extended one of x86.
-  constexpr bool is_known = std::endian::native == std::endian::little &&
-                            ((digits == 53 && Limits::max_exponent == 1024 && sizeof(F) == 8) ||
-                             (digits == 64 && Limits::max_exponent == 16384 && sizeof(F) >= 10));
-  if constexpr (is_known) {
-    // Numbers that are not F's normal ones, nor become so by rounding, are left to MPFR.
-    const mpfr_exp_t exponent = mpfr_regular_p(x) != 0 ? mpfr_get_exp(x) : std::numeric_limits<mpfr_exp_t>::max();
-    if (exponent > Limits::min_exponent && exponent < Limits::max_exponent) {
-      const auto* const limbs = static_cast<const std::uint64_t*>(mpfr_custom_get_significand(x));
-      const auto last = static_cast<std::size_t>((mpfr_get_prec(x) - 1) / 64);
-      constexpr int unused = 64 - digits;
-      std::uint64_t top = limbs[last], half = 0, below = 0;
-      std::size_t whole = last;  // limbs that only tell whether anything is below
-      if constexpr (unused > 0) {
-        half = top >> (unused - 1) & 1;
-        below = top & ((std::uint64_t{1} << (unused - 1)) - 1);
-        top >>= unused;
-      } else if (last > 0) {
-        whole = last - 1;
-        half = limbs[whole] >> 63;
-        below = limbs[whole] << 1;
-      }
-      for (std::size_t i = 0; i < whole; ++i) below |= limbs[i];
-      const std::uint64_t up = half & static_cast<std::uint64_t>(below != 0 || (top & 1) != 0);
-      return assembled(top + up, exponent, mpfr_signbit(x) != 0, F());
-    }
-  }
-  return by_mpfr(x, F());
 }
 
 }  // namespace
 
+#ifdef CAGEPROOF_NO_MPFR
+template <unsigned D>
+Mp<D>::Mp() {
+  construct<D>(&number_);
+}
+template <unsigned D>
+Mp<D>::Mp(const Mp& other) {
+  construct<D>(&number_, number_of(other));
+}
+template <unsigned D>
+Mp<D>& Mp<D>::operator=(const Mp& other) {
+  number_of(*this) = number_of(other);
+  return *this;
+}
+#else
 // Numbers are made and copied some fifty times per computed one, so these functions do without MPFR's calls: they copy
 // a number's bytes, and then set the pointer to its own limbs.
 template <unsigned D>
@@ -107,6 +65,17 @@ Mp<D>& Mp<D>::operator=(const Mp& other) {
   mpfr_custom_move(data(), limbs());
   return *this;
 }
+
+template <unsigned D>
+mpfr_ptr Mp<D>::data() {
+  return std::launder(reinterpret_cast<mpfr_ptr>(&number_));
+}
+template <unsigned D>
+mpfr_srcptr Mp<D>::data() const {
+  return std::launder(reinterpret_cast<mpfr_srcptr>(&number_));
+}
+#endif
+
 template <unsigned D>
 template <unsigned More>
 Mp<D>::Mp(const Mp<More>& other) {
@@ -139,11 +108,11 @@ float Mp<D>::to_float() const {
 }
 template <unsigned D>
 double Mp<D>::to_double() const {
-  return nearest<double>(data());
+  return mp_work::nearest<double>(*this);
 }
 template <unsigned D>
 long double Mp<D>::to_long_double() const {
-  return nearest<long double>(data());
+  return mp_work::nearest<long double>(*this);
 }
 template <unsigned D>
 long long Mp<D>::to_integer() const {
@@ -157,65 +126,60 @@ template <unsigned D>
 bool Mp<D>::is_zero() const {
   return number_of(*this).is_zero();
 }
-
 template <unsigned D>
-mpfr_ptr Mp<D>::data() {
-  return std::launder(reinterpret_cast<mpfr_ptr>(&number_));
-}
-template <unsigned D>
-mpfr_srcptr Mp<D>::data() const {
-  return std::launder(reinterpret_cast<mpfr_srcptr>(&number_));
+std::int64_t Mp<D>::exponent() const {
+  return mp_work::exponent(*this);
 }
 
 template <unsigned D>
 Mp<D>& Mp<D>::operator+=(const Mp& b) {
-  mpfr_add(data(), data(), b.data(), MPFR_RNDN);
+  mp_work::add(*this, *this, b);
   return *this;
 }
 template <unsigned D>
 Mp<D>& Mp<D>::operator-=(const Mp& b) {
-  mpfr_sub(data(), data(), b.data(), MPFR_RNDN);
+  mp_work::subtract(*this, *this, b);
   return *this;
 }
 template <unsigned D>
 Mp<D>& Mp<D>::operator*=(const Mp& b) {
-  mpfr_mul(data(), data(), b.data(), MPFR_RNDN);
+  mp_work::multiply(*this, *this, b);
   return *this;
 }
 template <unsigned D>
 Mp<D>& Mp<D>::operator/=(const Mp& b) {
-  mpfr_div(data(), data(), b.data(), MPFR_RNDN);
+  mp_work::divide(*this, *this, b);
   return *this;
 }
 
 template <unsigned D>
 Mp<D> operator+(const Mp<D>& a, const Mp<D>& b) {
   Mp<D> result;
-  mpfr_add(result.data(), a.data(), b.data(), MPFR_RNDN);
+  mp_work::add(result, a, b);
   return result;
 }
 template <unsigned D>
 Mp<D> operator-(const Mp<D>& a, const Mp<D>& b) {
   Mp<D> result;
-  mpfr_sub(result.data(), a.data(), b.data(), MPFR_RNDN);
+  mp_work::subtract(result, a, b);
   return result;
 }
 template <unsigned D>
 Mp<D> operator*(const Mp<D>& a, const Mp<D>& b) {
   Mp<D> result;
-  mpfr_mul(result.data(), a.data(), b.data(), MPFR_RNDN);
+  mp_work::multiply(result, a, b);
   return result;
 }
 template <unsigned D>
 Mp<D> operator/(const Mp<D>& a, const Mp<D>& b) {
   Mp<D> result;
-  mpfr_div(result.data(), a.data(), b.data(), MPFR_RNDN);
+  mp_work::divide(result, a, b);
   return result;
 }
 template <unsigned D>
 Mp<D> operator-(const Mp<D>& a) {
   Mp<D> result;
-  mpfr_neg(result.data(), a.data(), MPFR_RNDN);
+  mp_work::negate(result, a);
   return result;
 }
 template <unsigned D>
@@ -228,30 +192,30 @@ std::partial_ordering operator<=>(const Mp<D>& a, const Mp<D>& b) {
   return number_of(a).compare(number_of(b)) <=> 0;
 }
 
-#define CAGEPROOF_MP_DEFINE(name)                  \
-  template <unsigned D>                            \
-  Mp<D> name(const Mp<D>& x) {                     \
-    return from_number<D>(bm::name(number_of(x))); \
+#define CAGEPROOF_MP_DEFINE(name)                                          \
+  template <unsigned D>                                                    \
+  Mp<D> name(const Mp<D>& x) {                                             \
+    return from_number<D>(mp_work::narrow<D>(bm::name(mp_work::wide(x)))); \
   }
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_DEFINE)
 #undef CAGEPROOF_MP_DEFINE
 
 template <unsigned D>
 Mp<D> pow(const Mp<D>& x, const Mp<D>& y) {
-  return from_number<D>(bm::pow(number_of(x), number_of(y)));
+  return from_number<D>(mp_work::narrow<D>(bm::pow(mp_work::wide(x), mp_work::wide(y))));
 }
 template <unsigned D>
 Mp<D> pow(const Mp<D>& x, int n) {
-  return from_number<D>(bm::pow(number_of(x), n));
+  return from_number<D>(mp_work::narrow<D>(bm::pow(mp_work::wide(x), n)));
 }
 template <unsigned D>
 Mp<D> atan2(const Mp<D>& y, const Mp<D>& x) {
-  return from_number<D>(bm::atan2(number_of(y), number_of(x)));
+  return from_number<D>(mp_work::narrow<D>(bm::atan2(mp_work::wide(y), mp_work::wide(x))));
 }
 template <unsigned D>
 Mp<D> hypot(const Mp<D>& x, const Mp<D>& y) {
   Mp<D> result;
-  mpfr_hypot(result.data(), x.data(), y.data(), MPFR_RNDN);
+  mp_work::hypot(result, x, y);
   return result;
 }
 template <unsigned D>
@@ -316,9 +280,11 @@ CAGEPROOF_MP_CONSTANT(nan, std::numeric_limits<MpNumber<D>>::quiet_NaN())
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_50)
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_100)
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_200)
-CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_400)
-CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_800)
-CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_2000)
+// No formula's scalars: they have what closed forms call.
+#define CAGEPROOF_MP_WIDE_FUNCTIONS(apply) apply(abs) apply(sqrt) apply(log) apply(log1p) apply(asinh) apply(atanh)
+CAGEPROOF_MP_WIDE_FUNCTIONS(CAGEPROOF_MP_400)
+CAGEPROOF_MP_WIDE_FUNCTIONS(CAGEPROOF_MP_800)
+CAGEPROOF_MP_WIDE_FUNCTIONS(CAGEPROOF_MP_2000)
 #define CAGEPROOF_MP_INSTANCE(R)                                  \
   template R operator+(const R&, const R&);                       \
   template R operator-(const R&, const R&);                       \

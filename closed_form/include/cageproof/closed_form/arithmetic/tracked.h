@@ -32,9 +32,8 @@ constexpr ErrorOf<T> roundoff_of() {
 template <class T>
 ErrorOf<T> size_of(const T& x) {
   if constexpr (is_multiprecision<T>) {
-    if (x.is_zero()) return 0;
-    if (mpfr_regular_p(x.data()) == 0) return std::abs(mpfr_get_ld(x.data(), MPFR_RNDN));
-    const mpfr_exp_t exponent = mpfr_get_exp(x.data());
+    const std::int64_t exponent = x.exponent();
+    if (exponent == T::kNoExponent) return std::abs(static_cast<long double>(x));
     // Within double's range its bits are quicker.
     if (exponent > -1000 && exponent < 1000)
       return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);

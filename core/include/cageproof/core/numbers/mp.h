@@ -7,12 +7,15 @@
 
 #include "cageproof/core/numbers/mp_names.h"
 
+#ifndef CAGEPROOF_NO_MPFR
 #include <mpfr.h>
+#endif
 
 #include <array>
 #include <compare>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <iosfwd>
 #include <limits>
 #include <string>
@@ -25,9 +28,12 @@ concept BuiltinNumber =
     std::integral<T> || std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, long double>;
 
 /// A binary floating-point number with `Digits` decimal digits: 50, 100, 200, 400, 800 or 2000. Every operation and
-/// function
-/// is MPFR's, rounded to nearest; it lies in place, without memory of its own. Built-in numbers are taken exactly. The
-/// default is zero.
+/// function is MPFR's, rounded to nearest; it lies in place, without memory of its own. Built-in numbers are taken
+/// exactly. The default is zero.
+///
+/// Where CAGEPROOF_NO_MPFR is defined, Boost's cpp_bin_float does the work with as many bits: sums, differences,
+/// products, quotients and square roots are the same to the last bit. Other functions are computed in 64 bits more and
+/// rounded then, so that they too are the nearest numbers but for one case in 2^50 or so. Exponents have 32 bits there.
 template <unsigned Digits>
 class Mp {
  public:
@@ -63,10 +69,18 @@ class Mp {
   Mp& operator/=(const Mp& b);
 
   bool is_zero() const;
+  /// The e of a number whose size is at least 2^(e-1) and below 2^e; kNoExponent of zero, infinity and NaN.
+  std::int64_t exponent() const;
+  static constexpr std::int64_t kNoExponent = std::numeric_limits<std::int64_t>::max();
 
+#ifndef CAGEPROOF_NO_MPFR
   /// The pointer that MPFR's functions take, to a number of `bits` bits.
   mpfr_ptr data();
   mpfr_srcptr data() const;
+#endif
+  /// Where Boost's number lies, for mp_number.h.
+  void* number() { return &number_; }
+  const void* number() const { return &number_; }
 
  private:
   struct Exactly {};
@@ -88,9 +102,14 @@ class Mp {
   unsigned long long to_unsigned() const;
   std::byte* limbs() { return number_.data() + kHead; }
 
-  // A number of Boost's: MPFR's 32 bytes of precision, sign, exponent and pointer, then the limbs. Nothing to destroy.
+  // A number of Boost's: MPFR's 32 bytes of precision, sign, exponent and pointer, then the limbs; or limbs, then as
+  // much for their count, the exponent and the sign. Nothing to destroy.
   static constexpr std::size_t kHead = 32, size = kHead + (bits + 63) / 64 * 8;
+#ifdef CAGEPROOF_NO_MPFR
+  alignas(16) std::array<std::byte, size> number_;
+#else
   alignas(8) std::array<std::byte, size> number_;
+#endif
 };
 
 template <unsigned D>

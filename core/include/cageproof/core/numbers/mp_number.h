@@ -4,29 +4,44 @@
 
 #include "cageproof/core/numbers/mp.h"
 
+#ifdef CAGEPROOF_NO_MPFR
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#else
 #include <boost/multiprecision/mpfr.hpp>
+#endif
 
-#include <memory>
+#include <new>
 
 namespace cageproof {
 
-/// MPFR, stored in place, expression templates off.
+/// MPFR or Boost's own, stored in place, expression templates off.
+#ifdef CAGEPROOF_NO_MPFR
+template <unsigned Digits>
+using MpNumber = boost::multiprecision::number<
+    boost::multiprecision::cpp_bin_float<Mp<Digits>::bits, boost::multiprecision::digit_base_2>,
+    boost::multiprecision::et_off>;
+#else
 template <unsigned Digits>
 using MpNumber = boost::multiprecision::number<
     boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
     boost::multiprecision::et_off>;
+#endif
 
 /// The number as Boost's.
 template <unsigned D>
 const MpNumber<D>& number_of(const Mp<D>& x) {
-  return *reinterpret_cast<const MpNumber<D>*>(x.data());
+  return *std::launder(static_cast<const MpNumber<D>*>(x.number()));
+}
+template <unsigned D>
+MpNumber<D>& number_of(Mp<D>& x) {
+  return *std::launder(static_cast<MpNumber<D>*>(x.number()));
 }
 
 /// Boost's number as ours.
 template <unsigned D>
 Mp<D> from_number(const MpNumber<D>& x) {
   Mp<D> result;
-  *reinterpret_cast<MpNumber<D>*>(result.data()) = x;
+  number_of(result) = x;
   return result;
 }
 

@@ -55,8 +55,7 @@ BoundedJet<S, C, 2> bounded(const Jet<Tracked<T>, C, 2>& from, double largest) {
       if constexpr (is_multiprecision<T>) {
         if (!isfinite(x.value)) return;  // a limit
         size += x.value * x.value;
-        Sum bound;
-        mpfr_set_ld(bound.data(), x.error, MPFR_RNDU);
+        const Sum bound = x.error;
         error += bound * bound;
       } else {
         overflows = overflows || !std::isfinite(x.value);

@@ -55,8 +55,7 @@ BoundedJet<S, F::components> bounded(const Components<F, Tracked<T>, O>& from, c
       const double weight = order == 2 && factor == 1 ? 2 : factor * factor;
       if constexpr (is_multiprecision<T>) {
         size[order] += weight * squared(x.value);
-        Sum bound;
-        mpfr_set_ld(bound.data(), x.error, MPFR_RNDU);
+        const Sum bound = x.error;
         error[order] += weight * squared(bound);
       } else {
         size[order] += weight * squared(static_cast<double>(x.value));

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: MIT
+# A library that links nothing but the standard one: the headers of Eigen, Boost, fmt, CGAL and Random123 lie in the folder CAGEPROOF_HEADERS, as
+# <Eigen/Core>, <boost/version.hpp>, <fmt/format.h>, <CGAL/version.h> and <Random123/philox.h>, and no package is looked for, so that any compiler will do.
+if(NOT CAGEPROOF_LIBRARY_ONLY)
+  message(FATAL_ERROR "CAGEPROOF_HEADERS is for the library: add -DCAGEPROOF_LIBRARY_ONLY=ON")
+endif()
+foreach(header Eigen/Core boost/version.hpp fmt/format.h CGAL/version.h Random123/philox.h)
+  if(NOT EXISTS ${CAGEPROOF_HEADERS}/${header})
+    message(FATAL_ERROR "CAGEPROOF_HEADERS is ${CAGEPROOF_HEADERS}, where ${header} is missing (docs/library.md says how to make the folder)")
+  endif()
+endforeach()
+set(CAGEPROOF_MPFR OFF)
+set(CAGEPROOF_TBB OFF)
+set(CAGEPROOF_NLOPT OFF)
+foreach(target Eigen3::Eigen Boost::headers fmt::fmt)
+  add_library(${target} INTERFACE IMPORTED GLOBAL)
+  target_include_directories(${target} SYSTEM INTERFACE ${CAGEPROOF_HEADERS})
+endforeach()
+target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
+set(CGAL_INCLUDE ${CAGEPROOF_HEADERS})
