@@ -25,7 +25,9 @@ if(CAGEPROOF_SANITIZE STREQUAL address)
   # virtual tables, and sizes and overflows of pointers, which the address sanitizer sees where memory is touched.
   set(unchecked null,alignment$<$<CXX_COMPILER_ID:Clang>:,vptr,function,pointer-overflow,object-size>)
   target_compile_options(cageproof_flags INTERFACE -fsanitize=address,undefined -fno-sanitize=${unchecked} -fno-sanitize-recover=all
-    -fno-omit-frame-pointer)
+    -fno-omit-frame-pointer
+    # Accesses are checked by calls: a quarter less to compile, and most of a run's time is MPFR's anyway.
+    $<$<CXX_COMPILER_ID:Clang>:-fsanitize-address-outline-instrumentation>)
   # Indices of the standard library's arrays, which the sanitizers do not see where there is memory behind them.
   target_compile_definitions(cageproof_flags INTERFACE _GLIBCXX_ASSERTIONS)
   target_link_options(cageproof_flags INTERFACE -fsanitize=address,undefined)
