@@ -30,14 +30,17 @@ def replaced(text, old, new):
     return text.replace(old, new, 1)
 
 
-def write_checkers(kind):
+def write_checkers(kind, has_quads):
     """The checkers with the kind's name, and with functions that read a line of the file `answers` at each call."""
     text = replaced((CHECKERS / "check_cage.py").read_text(), 'KIND = "mean_value"', f'KIND = "{kind}"')
+    text = replaced(text, "QUADS = False", f"QUADS = {has_quads}")
     text = replaced(text, "    # Exact differences: in floats they cancel next to a cage.\n", "    return next(ANSWERS)\n")
     Path("check_cage.py").write_text(replaced(text, "\n\ndef minus", '\nANSWERS = ([float(x) for x in line.split()] for line in open("answers"))\n\n\ndef minus'))
     text = replaced((CHECKERS / "check_cage.js").read_text(), "KIND = 'mean_value'", f"KIND = '{kind}'\nconst answers = fs.readFileSync('answers', 'ascii').split('\\n')")
+    text = replaced(text, "QUADS = false", f"QUADS = {str(has_quads).lower()}")
     Path("check_cage.js").write_text(replaced(text, "  // Exact differences, as whole", "  return answers.shift().split(' ').map(Number)\n  // Exact differences, as whole"))
     text = replaced((CHECKERS / "check_cage.c").read_text(), 'KIND "mean_value"', f'KIND "{kind}"')
+    text = replaced(text, "QUADS 0", f"QUADS {int(has_quads)}")
     text = replaced(text, "  const int dimension = cage->dimension;\n  double sum = 0;", """  static FILE* answers = NULL;
   static char text[1 << 16];
   char* at = text;
@@ -109,7 +112,7 @@ def main():
         kind, cage = case.split(".")
         run(PROGRAM, "vectors", "--kinds", kind, "--cages", cage, "--out", "vectors")
         data = json.loads(Path(f"vectors/{case}.json").read_text())
-        write_checkers(kind)
+        write_checkers(kind, any(len(face) == 4 for face in data["faces"]))
         answers = answers_of(data, kind)
         write = lambda rows: Path("answers").write_text("".join(" ".join(map(repr, row)) + "\n" for row in rows))
         write(answers)

@@ -5,10 +5,11 @@
  *     cc -std=c99 -O1 check_cage.c -lm -o check_cage
  *     ./check_cage vectors/mean_value.cube.txt [BOUND]
  *
- * Replace `coordinates`, and KIND. Exit 0: all vectors within BOUND units (64); 1: not all; 2: the file cannot be read. */
+ * Replace `coordinates`, KIND and QUADS. Exit 0: all vectors within BOUND units (64); 1: not all; 2: the file cannot be read. */
 #include "check.h"
 
 #define KIND "mean_value" /* of your function */
+#define QUADS 0           /* whether its cages have quads */
 
 enum { most_vertices = 256, most_faces = 512, most_coordinates = 1024, most_blocks = 8, longest_line = 1 << 17 };
 
@@ -130,8 +131,8 @@ static const char* read_cage(FILE* file, char* line, struct cage* cage, int* vec
     all += sizes[(*blocks)++] = size;
   }
   if (*vectors < 1 || *blocks < 1 || all > most_coordinates || cage->dimension < 2 || cage->dimension > 3 ||
-      cage->corners < cage->dimension || cage->corners > 4 || cage->vertices < 1 || cage->vertices > most_vertices || cage->faces < 1 || cage->faces > most_faces)
-    return "line 1 has no vectors, or too large a cage";
+      (cage->corners != cage->dimension && !(QUADS && cage->corners == 4)) || cage->vertices < 1 || cage->vertices > most_vertices || cage->faces < 1 || cage->faces > most_faces)
+    return "line 1 has no vectors, too large a cage, or quads";
   const int numbers = cage->dimension * cage->vertices, corners = cage->corners * cage->faces;
   if (!fgets(line, longest_line, file) || strncmp(line, "vertices ", 9) != 0 ||
       !read_numbers(line + 9, numbers, cage->vertex))

@@ -3,13 +3,14 @@
 // Checks coordinates of a whole cage against vectors of `cageproof vectors --kinds`; node and check.js beside this file are enough.
 //
 // usage: node check_cage.js VECTORS.json [BOUND]
-// Replace `coordinates`, and KIND. Exit 0: all vectors within BOUND units (64); 1: not all; 2: the file cannot be read.
+// Replace `coordinates`, KIND and QUADS. Exit 0: all vectors within BOUND units (64); 1: not all; 2: the file cannot be read.
 'use strict'
 const fs = require('fs')
 const path = require('path')
 const { decimal, exactDifferences, hexadecimal, ratio, units } = require(path.join(__dirname, 'check.js'))
 
 const KIND = 'mean_value' // the kind of your function
+const QUADS = false // whether its cages have quads
 
 // Yours. Here: mean value coordinates, one per vertex, in space of triangles and in the plane of segments. Takes lists of numbers, and of indices. Returns
 // one list of numbers, block by block.
@@ -100,7 +101,7 @@ function refuseDamage(data) {
   const most = 36 * (data.vertices.length + data.faces.length) + 1
   if (!sizes.length || !sizes.every((n) => whole(n, 1, most))) throw new Error(`its blocks have sizes ${sizes}`)
   for (const face of data.faces) {
-    if ((face.length !== corners && face.length !== 2 * corners - 2) || !face.every((i) => whole(i, 0, data.vertices.length))) throw new Error(`a face is ${JSON.stringify(face)}`)
+    if ((face.length !== corners && !(QUADS && face.length === 4)) || !face.every((i) => whole(i, 0, data.vertices.length))) throw new Error(`a face is ${JSON.stringify(face)}`)
   }
   const all = sizes.reduce((a, b) => a + b)
   data.vectors.forEach((v, number) => {

@@ -3,7 +3,7 @@
 """Checks coordinates of a whole cage against vectors of `cageproof vectors --kinds`; the standard library and check.py beside this file are enough.
 
 usage: check_cage.py VECTORS.json [BOUND]
-Replace `coordinates`, and KIND. Exit 0: all vectors within BOUND units (64); 1: not all; 2: the file cannot be read."""
+Replace `coordinates`, KIND and QUADS. Exit 0: all vectors within BOUND units (64); 1: not all; 2: the file cannot be read."""
 import json
 import math
 import sys
@@ -12,6 +12,7 @@ from fractions import Fraction
 from check import doubles, units
 
 KIND = "mean_value"  # the kind of your function
+QUADS = False  # whether its cages have quads
 
 
 def minus(a, b):
@@ -98,7 +99,7 @@ def refuse_damage(data):
     if not sizes or not all(type(n) is int and 0 < n <= 36 * (len(data["vertices"]) + len(data["faces"])) for n in sizes):
         raise ValueError(f"its blocks have sizes {sizes}")
     for face in data["faces"]:
-        if len(face) not in (corners, 2 * corners - 2) or not all(type(i) is int and 0 <= i < len(data["vertices"]) for i in face):
+        if not (len(face) == corners or QUADS and len(face) == 4) or not all(type(i) is int and 0 <= i < len(data["vertices"]) for i in face):
             raise ValueError(f"a face is {face}")
     for number, v in enumerate(data["vectors"]):
         if len(v["value"]) != sum(sizes) or not all(isinstance(x, str) for x in v["value"]):
