@@ -40,6 +40,6 @@ def answer(query):
     return {"value": [winding_angle(query["element"], query["point"])]}
 
 
-# One answer for each line, in their order, each flushed: the other side waits for it.
+# One answer for each line, in their order, each flushed: the other side waits for it. Whole numbers become floats, so that -0 keeps its sign.
 for line in sys.stdin:
-    print(json.dumps(answer(json.loads(line))), flush=True)
+    print(json.dumps(answer(json.loads(line, parse_int=float))), flush=True)

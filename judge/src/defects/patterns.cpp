@@ -106,6 +106,9 @@ double slope_near(const Study& study, int order, std::string_view regime, std::s
       points.push_back({-std::log10(c.probe->sample.parameter), std::log10(std::min(c.relative, 1.0))});
   const Count infinite = count(study, order, [&](const Case& c) { return near(c) && !c.finite; });
   if (points.size() < 3) return infinite.all >= 3 ? 1 : 0;
+  // Where errors grow until nothing is left, results that are not finite have no digit.
+  for (const Case& c : study.cases())
+    if (c.order == order && near(c) && !c.finite) points.push_back({-std::log10(c.probe->sample.parameter), 0});
   return slope_of(points);
 }
 

@@ -28,7 +28,8 @@ Result<double> Study::ask(const Sample& sample, int order) const {
 
 Case Study::ask(const Probe& probe, int order) const {
   Case made{.probe = &probe, .order = order, .found = ask(probe.sample, prober_.order())};
-  if (!probe.truth.exists[order]) return made;
+  // An input that the code declined is no defect.
+  if (!probe.truth.exists[order] || !made.found.converged) return made;
   for (const double x : made.found.of(order)) made.finite &= std::isfinite(x);
   made.error = error_of(made.found, probe, order);
   made.relative = made.finite ? validation::relative_error(made.found, probe.truth, order) : INFINITY;
