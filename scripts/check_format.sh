@@ -10,7 +10,7 @@ command -v clang-format >/dev/null || {
   echo "clang-format is missing: scripts/ensure_packages.sh installs it" >&2
   exit 2
 }
-mapfile -t files < <(git ls-files '*.cpp' '*.h')
+mapfile -t files < <(git ls-files '*.cpp' '*.h' '*.hpp')
 ((${#files[@]})) || exit 2
 if [[ ${1-} == --fix ]]; then exec clang-format -i "${files[@]}"; fi
 log=$(mktemp)
@@ -21,7 +21,7 @@ clang-format --dry-run --ferror-limit=1 "${files[@]}" >"$log" 2>&1 || {
   echo "clang-format failed: whether the files are formatted is not known" >&2
   exit 2
 }
-found=$(grep -oE '^[^: ]+\.(cpp|h)' "$log" | sort -u || true)
+found=$(grep -oE '^[^: ]+\.(cpp|hpp|h)' "$log" | sort -u || true)
 [[ -z $found ]] || {
   printf '%s\n' "$found" "These are not formatted; scripts/check_format.sh --fix formats them."
   exit 1

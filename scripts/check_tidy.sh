@@ -50,9 +50,11 @@ source_of() {
   if has_command "$file"; then printf '%s\n' "$file"; fi
 }
 
+# cageproof.hpp has no source here that includes it: users compile it.
+sources=('*.cpp' '*.h')
 if [[ -n $all ]]; then
   since='the first commit'
-  changed=$(git ls-files -- '*.cpp' '*.h')
+  changed=$(git ls-files -- "${sources[@]}")
 else
   if [[ -z $base ]]; then
     base=$(git merge-base HEAD origin/main 2>/dev/null || true)
@@ -64,9 +66,11 @@ else
   }
   since=$base
   # Files that were moved, or of which only #include lines, comments and names of namespaces changed, are the same code.
-  git diff --find-renames -l5000 --unified=0 "$base" HEAD -- '*.cpp' '*.h' |
+  git diff --find-renames -l5000 --unified=0 "$base" HEAD -- "${sources[@]}" |
     awk '/^\+\+\+ / {file = substr($0, 7); next} /^--- / {next} /^[-+]/ && (!/^[-+][ \t]*(#include .*|\/\/.*|(\}  \/\/ )?namespace [A-Za-z0-9_:]*( \{)?)?$/ || /NOLINT/) && !seen[file]++ {print file}' >"$work/code"
-  changed=$(git log --format= --name-only --diff-filter=d "$base..HEAD" -- '*.cpp' '*.h' | awk '!seen[$0]++' | grep -Fxf "$work/code" || true)
+  # The last changes first; then what only a merge changed, which `git log` does not list.
+  changed=$({ git log --format= --name-only --diff-filter=d "$base..HEAD" -- "${sources[@]}" && git diff --name-only --diff-filter=d "$base" HEAD -- "${sources[@]}"; } |
+    awk '!seen[$0]++' | grep -Fxf "$work/code" || true)
 fi
 # Headers that no source includes, and that are no stand-ins of tests.
 for file in $changed; do

@@ -460,6 +460,20 @@ TEST(triangulation, says_which_quads_fold_along_either_diagonal) {
   EXPECT_NE(warning->find("face 0 (line 9)"), std::string::npos) << *warning;
 }
 
+// One end of a diagonal of length 1 is raised by a height whose square no number of a few hundred digits holds
+// beside 1.
+TEST(triangulation, tells_diagonals_apart_however_alike_they_are) {
+  for (const double height : {1e-10, 1e-60, 1e-200, 5e-324}) {
+    const Cage cage = Cage::make(
+        "roof",
+        {{0, 0, 0}, {.5, -.5, .25}, {1, 0, height}, {.5, .5, .25}, {0, 0, -1}, {.5, -.5, -1}, {1, 0, -1}, {.5, .5, -1}},
+        {{{0, 1, 2, 3}}, {{4, 7, 6, 5}}, {{0, 4, 5, 1}}, {{1, 5, 6, 2}}, {{2, 6, 7, 3}}, {{3, 7, 4, 0}}});
+    const auto triangles = cage.triangulate(Triangulation::Shortest).triangles;
+    for (int i = 0; i < 2; ++i)
+      for (const int corner : {1, 3}) EXPECT_TRUE(std::ranges::count(triangles[i], corner)) << height << ' ' << corner;
+  }
+}
+
 TEST(triangulation, ties_go_to_the_first_corner) {
   const Cage cage = embedded_cage("cube");
   EXPECT_EQ(cage.triangulate(Triangulation::Shortest).triangles, cage.triangulate(Triangulation::Fan).triangles);

@@ -77,6 +77,18 @@ TEST(element, contact_with_quads_is_the_bilinear_combination_of_the_corners) {
   }
 }
 
+// All its corners but one lie on a line, and that one as near to it as doubles can say.
+TEST(element, a_quad_has_an_area_however_small_it_is) {
+  for (const double height : {1e-10, 1e-190, 1e-205, 1e-300, 5e-324}) {
+    std::vector<Vec3<Mp200>> corners;
+    for (const Point& c : {Point(height, 0, 0), Point(1, 1, 0), Point(2, 2, 0), Point(3, 3, 0)})
+      corners.push_back(convert<Mp200>(c));
+    EXPECT_FALSE(type_of(ElementKind::Quad).degenerate(corners)) << height;
+    corners[0] = Vec3<Mp200>(Mp200(-4), Mp200(-4), Mp200(0));
+    EXPECT_TRUE(type_of(ElementKind::Quad).degenerate(corners));
+  }
+}
+
 TEST(element, extent_is_the_integral_of_the_normal) {
   for (const auto& s : segments) {
     const Point along = s[1] - s[0];

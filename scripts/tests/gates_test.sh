@@ -96,6 +96,14 @@ if command -v clang-tidy-16 >/dev/null; then
   printf 'int one();\ninline char* none() { return 0; }\n' >core/src/first.h
   commit broken
   expect 1 '0 of 1 sources are clean, 1 are not' scripts/check_tidy.sh HEAD~2
+  # What only a merge changes is looked at, too.
+  base=$(git rev-parse HEAD)
+  git checkout -q -b side HEAD~1 && printf '// Side.\n' >core/src/side.h && commit side
+  git checkout -q - && git -c user.name=test -c user.email=test@example.org merge -q --no-commit side >/dev/null 2>&1
+  printf 'int one();\ninline char* none() { return 0; }\ninline char* more() { return 0; }\n' >core/src/first.h
+  commit merged
+  expect 1 '0 of 1 sources are clean, 1 are not' scripts/check_tidy.sh "$base"
+  git rm -q core/src/side.h && commit sideless
   # Sources that are read at once: a finding names its own.
   printf '#include "first.h"\n\nint one() { return 2; }\n' >core/src/one.cpp
   printf 'int one();\n' >core/src/first.h
@@ -117,6 +125,28 @@ fi
 
 expect 2 'names no formula' "$root/scripts/hunt_all" 10 "$work/hunt" /bin/false
 expect 2 'names no formula' "$root/scripts/hunt_all" 10 "$work/hunt" /bin/true
+# A hunt must say what it found, and say the same as its exit code.
+hunter() {
+  printf '#!/bin/sh\n[ "$1" = list ] && { echo segment.a; echo triangle.a; echo quad.a; exit 0; }\necho "%s"\nexit %s\n' "$1" "$2" >"$work/hunter"
+  chmod +x "$work/hunter"
+  rm -rf "$work/hunt"
+}
+hunter '' 0 && expect 2 'names no broken promise' "$root/scripts/hunt_all" 10 "$work/hunt" "$work/hunter"
+hunter 'a promise is broken' 1 && expect 2 'exit code 1 and names no broken promise' "$root/scripts/hunt_all" 10 "$work/hunt" "$work/hunter"
+hunter 'a, promised 64: BROKEN' 0 && expect 2 'exit code 0 and names a broken promise' "$root/scripts/hunt_all" 10 "$work/hunt" "$work/hunter"
+hunter 'a, promised 64: BROKEN' 1 && expect 1 'BROKEN' "$root/scripts/hunt_all" 10 "$work/hunt" "$work/hunter"
+hunter 'a, promised 64: kept' 0 && expect 0 'kept' "$root/scripts/hunt_all" 10 "$work/hunt" "$work/hunter"
+
+# Parts of a nightly run end in a table; what took the place of something else is said there.
+cat >"$work/parts" <<END
+set -uo pipefail
+source "$root/.ci/parts.sh"
+part good echo 'Instead: another cage'
+part bad false
+finish table
+END
+expect 1 '  Instead: another cage' bash "$work/parts"
+expect 1 'Failed: bad' bash "$work/parts"
 
 [ $failures -eq 0 ] && echo 'Gates fail where they cannot look.'
 exit $((failures > 0))

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "face_pieces.h"
 
+#include "../geometry/lengths.h"
 #include "cageproof/core/geometry/orientation.h"
 
 #include <algorithm>
 
 namespace cageproof {
 namespace {
-
-// Exact, so that the split never hangs on a rounding.
-Mp100 squared_distance(const Vec3<double>& a, const Vec3<double>& b) {
-  return Vec3<Mp100>(convert<Mp100>(a) - convert<Mp100>(b)).squaredNorm();
-}
 
 std::array<Triangle<double>, 2> halves_of(const std::vector<Vec3<double>>& vertices, const Face& face,
                                           const ElementSplit& split) {
@@ -41,10 +37,14 @@ bool folds(const std::vector<Vec3<double>>& vertices, const Face& face, const El
 
 const ElementSplit& split_of(const std::vector<Vec3<double>>& vertices, const Face& face, Triangulation rule) {
   const std::span<const ElementSplit> splits = type_of(face.kind()).splits;
-  const auto length = [&](const ElementSplit& split) {
-    return squared_distance(vertices[face.vertices[split.diagonal[0]]], vertices[face.vertices[split.diagonal[1]]]);
+  const auto diagonal = [&](const ElementSplit& split) {
+    return Segment<double>{vertices[face.vertices[split.diagonal[0]]], vertices[face.vertices[split.diagonal[1]]]};
   };
-  const auto chosen = rule == Triangulation::Shortest ? std::ranges::min_element(splits, {}, length) : splits.begin();
+  // Exact, so that the split never hangs on a rounding.
+  const auto is_shorter = [&](const ElementSplit& a, const ElementSplit& b) {
+    return compare_lengths(diagonal(a), diagonal(b)) < 0;
+  };
+  const auto chosen = rule == Triangulation::Shortest ? std::ranges::min_element(splits, is_shorter) : splits.begin();
   if (!folds(vertices, face, *chosen)) return *chosen;
   const auto unfolded =
       std::ranges::find_if(splits, [&](const ElementSplit& split) { return !folds(vertices, face, split); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "../types.h"
 
+#include "cageproof/core/geometry/exact_geometry.h"
 #include "cageproof/core/numbers/linear.h"
 #include "cageproof/core/geometry/quad_geometry.h"
 
@@ -30,10 +31,10 @@ Vec3<double> area(Corners q) { return (q[2] - q[0]).cross(q[3] - q[1]); }
 
 // A bilinear quad has no area where all its corners lie on one line.
 bool degenerate(std::span<const Vec3<Mp200>> q) {
-  std::array<Vec3<Mp200>, 3> edge;
-  for (int k = 0; k < 3; ++k) edge[k] = q[k + 1] - q[0];
-  return edge[0].cross(edge[1]) == Vec3<Mp200>::Zero() && edge[0].cross(edge[2]) == Vec3<Mp200>::Zero() &&
-         edge[1].cross(edge[2]) == Vec3<Mp200>::Zero();
+  const auto has_area = [&](int i, int k) {
+    return ExactTriangle({q[0], q[i], q[k]}, q[0]).normal != Vec3<Mp200>::Zero();
+  };
+  return !has_area(1, 2) && !has_area(1, 3) && !has_area(2, 3);
 }
 
 constexpr std::array<double, 4> a{1, 0, 0, 0}, b{0, 1, 0, 0}, c{0, 0, 1, 0}, d{0, 0, 0, 1}, ab{.5, .5, 0, 0},
