@@ -78,12 +78,15 @@ Posing posed_by_cages(const DeformMethod& method, const Cage& cage, DeformOption
   deformers.reserve(parameters.size());
   for (std::size_t s = 1; s < parameters.size(); ++s)
     deformers.push_back(with_other_parameters<double>(method, *deformers[0], parameters[s]));
+  // Once, not per pose: some methods solve their systems again to tell of them.
+  std::vector<DeformationReport> prepared;
+  prepared.reserve(deformers.size());
+  for (const auto& deformer : deformers) prepared.push_back(deformer->prepared());
   for (std::size_t k = 0; k < files.names.size(); ++k)
     for (std::size_t s = 0; s < parameters.size(); ++s) {
       try {
         pose.vertices = cages[k];
-        found.maps.push_back(
-            {deformers[s]->pose(pose), files.names[k], cages[k], parameters[s], deformers[s]->prepared()});
+        found.maps.push_back({deformers[s]->pose(pose), files.names[k], cages[k], parameters[s], prepared[s]});
       } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", files.names[k], error.what()));
       }

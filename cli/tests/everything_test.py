@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""everything_test.py CAGEPROOF [deform] [coordinates] [verify]: one small call of all that the program can do: a deformation by every method, coordinates of every
-kind in every order, and a verification with every formula, regime and check. The sanitizers run it, because a path that no test takes has no memory errors to show."""
+"""everything_test.py CAGEPROOF [deform] [coordinates] [eval] [verify]: one small call of all that the program can do: a deformation by every method, coordinates of every
+kind in every order, lines of `eval` that are whole, cut off and nested, and a verification with every formula, regime and check. The sanitizers run it, because a path that no test takes has no memory errors to show."""
 
 import gzip
 import json
@@ -77,6 +77,32 @@ def coordinates(program: str, listed: dict, failures: Failures) -> None:
             accepted_by_some_cage(f"kind {kind['name']}, order {order}", call, failures)
 
 
+ELEMENTS = {"segment": ([[0, 0], [1, 0.25]], [0.25, 0.5]),
+            "triangle": ([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [0.25, 0.25, 1]),
+            "quad": ([[0, 0, 0], [1, 0, 0], [1, 1, 0.25], [0, 1, 0]], [0.25, 0.25, 1])}
+
+
+def evaluate(program: str, listed: dict, failures: Failures) -> None:
+    right = {"closed_form": [], "line_form": []}
+    for formula in listed["formulas"]:
+        element, point = ELEMENTS[formula["element"]]
+        algebra = next((e for e in formula["evaluations"] if e["name"] in right), None)
+        for scalar in algebra["scalars"] if algebra else []:
+            for order in range(algebra["max_order"] + 1):
+                right[algebra["name"]].append(json.dumps({"formula": formula["name"], "element": element, "point": point, "order": order, "scalar": scalar}))
+    whole = '{"formula":"segment.single_layer","element":[[0,0],[1,0.25]],"point":[0.5,1]}'
+    wrong = [whole[:cut] for cut in range(1, len(whole))]
+    wrong += [whole.replace("point", "pint"), whole.replace("0.5", "1e999999"), whole.replace("0.5", '"' + "1" * 5000 + 'x"'), "[" * 100000, '{"a":' * 100000, "\0", '"\\ud800"', "null", "[]"]
+    for evaluation, lines in right.items():
+        ended = subprocess.run([program, "eval", "--evaluation", evaluation], input="\n".join([*lines, *wrong]) + "\n", capture_output=True, text=True)
+        answers = ended.stdout.splitlines()
+        if len(answers) != len(lines) + len(wrong):
+            failures.say(f"eval --evaluation {evaluation} answers {len(answers)} of {len(lines) + len(wrong)} lines, exit code {ended.returncode}: {ended.stderr.strip()[-2000:]}")
+        for number, (line, answer) in enumerate(zip([*lines, *wrong], answers)):
+            if ("error" in json.loads(answer)) != (number >= len(lines)):
+                failures.say(f"eval --evaluation {evaluation} answers {line[:200]} with {answer[:200]}")
+
+
 def verify(program: str, listed: dict, failures: Failures) -> None:
     Path("tetrahedron.obj").write_text(TETRAHEDRON)
     rows = []
@@ -112,8 +138,8 @@ def main() -> int:
         os.chdir(folder)
         for cage, points in CAGES.items():
             Path(f"{cage}.csv").write_text(points)
-        for part in parts or ("deform", "coordinates", "verify"):
-            {"deform": deform, "coordinates": coordinates, "verify": verify}[part](program, listed, failures)
+        for part in parts or ("deform", "coordinates", "eval", "verify"):
+            {"deform": deform, "coordinates": coordinates, "eval": evaluate, "verify": verify}[part](program, listed, failures)
         os.chdir("/")
     return int(failures.count > 0)
 
