@@ -103,6 +103,10 @@ std::vector<std::filesystem::path> folders_above(const std::filesystem::path& fi
 }
 
 int run(Arguments& asked) {
+  // A report packs its files, and people name what is packed.
+  if (const std::string packed = asked.file + ".gz";
+      !std::filesystem::exists(asked.file) && std::filesystem::exists(packed))
+    asked.file = packed;
   Summary all;
   const std::string& file = asked.file;
   const std::vector<reports::WorstLine> lines = lines_of(asked);

@@ -16,6 +16,7 @@ replays() { "$cageproof" replay "$@" >stdout 2>stderr || fail "replay $*: $(cat 
 # The cage is looked for from here, and from the report's folder and those above it.
 (cd project && "$cageproof" replay runs/report/one.jsonl >/dev/null) || fail "replay from the folder of the run"
 replays "$packed"
+replays "${packed%.gz}"
 grep -q ' 0 changed since stored$' stdout || fail "figures of a cage that is found from elsewhere: $(tail -n 2 stdout)"
 cp -r project/runs/report elsewhere/report
 refuses_to replay one.jsonl:1 "own.obj: no such file; looked for own.obj, " "$work/elsewhere/report/own.obj" "$work/elsewhere/own.obj" -- elsewhere/report/one.jsonl

@@ -99,7 +99,7 @@ TEST(SpaceFigures, quads_are_valid_where_every_projection_is_convex) {
               valid)
         << file;
   }
-  EXPECT_NE(sheet.text.find("3 are valid"), std::string::npos);
+  EXPECT_NE(sheet.text.find("3 quads are valid"), std::string::npos);
   EXPECT_NEAR(least_convex_projection({{{0, 0, 5}, {1, 0, 5}, {1, 1, 5}, {0, 1, 5}}}).sine, 1, 1e-15);
 }
 

@@ -2,7 +2,6 @@
 #include "cageproof/core/geometry/orientation.h"
 
 #include "exact_signs.h"
-#include "lengths.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Interval_nt.h>
@@ -65,13 +64,6 @@ int side_of_edge(const Triangle<double>& t, int edge, const Vec3<double>& point)
 }
 
 bool on_a_line(const Triangle<double>& t) { return CGAL::collinear(as_point(t[0]), as_point(t[1]), as_point(t[2])); }
-
-int compare_lengths(const Segment<double>& a, const Segment<double>& b) {
-  return exact_sign([&]<class T>() {
-    const std::array<T, 3> along_a = difference<T>(a[1], a[0]), along_b = difference<T>(b[1], b[0]);
-    return scalar_product(along_a, along_a) - scalar_product(along_b, along_b);
-  });
-}
 
 int sign_of_normals(const Triangle<double>& a, const Triangle<double>& b) {
   return exact_sign([&]<class T>() { return scalar_product(normal_of<T>(a), normal_of<T>(b)); });
