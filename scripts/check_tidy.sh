@@ -26,7 +26,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 # Sources compiled for other processors, by tests, or against the installed library, have no command here.
-has_command() { [[ -f $1 && $1 != scripts/* && $1 != docs/* && $1 != judge/adapters/* && $1 != */tests/consumer/* && $1 != */tests/shared/* ]]; }
+has_command() { [[ -f $1 && $1 != scripts/* && $1 != docs/* && $1 != judge/adapters/* && $1 != */tests/consumer/* && $1 != */tests/shared/* && $1 != */tests/without_mpfr/* ]]; }
 
 # The source that a changed file is checked with: itself, or for a header the source of its name, or any that includes it.
 source_of() {
