@@ -18,7 +18,7 @@ target_compile_options(cageproof_flags INTERFACE
   -Wno-overlength-strings
   # Error-free transformations need each operation rounded on its own.
   -ffp-contract=off
-  # What nobody calls can then be left out of the shared library.
+  # The linker can then leave functions that nobody calls out of the shared library.
   $<$<BOOL:${CAGEPROOF_LIBRARY_ONLY}>:-ffunction-sections> $<$<BOOL:${CAGEPROOF_LIBRARY_ONLY}>:-fdata-sections>)
 if(CAGEPROOF_SANITIZE STREQUAL address)
   # Null and misaligned members are checked at every access, which doubles the build; a null one faults under the address sanitizer anyway. So do, for Clang,

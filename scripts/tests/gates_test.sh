@@ -146,6 +146,10 @@ part bad false
 finish table
 END
 expect 1 '  Instead: another cage' bash "$work/parts"
+grep -qx '  Instead: another cage' "$work/said" && grep -qxE 'bad +[0-9]+ s  FAILED' "$work/said" || {
+  echo "FAILED: the table's lines run together: $(cat "$work/said")"
+  failures=$((failures + 1))
+}
 expect 1 'Failed: bad' bash "$work/parts"
 
 [ $failures -eq 0 ] && echo 'Gates fail where they cannot look.'

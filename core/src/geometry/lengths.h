@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of two segments of space is longer: decided exactly, for any finite doubles.
+// Tells which of two segments of space is longer, exactly, for any finite doubles.
 #pragma once
 
 #include "cageproof/core/geometry/element.h"

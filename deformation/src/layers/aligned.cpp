@@ -113,7 +113,7 @@ class Aligned final : public LayerDeformer<R> {
     DeformationReport report;
     warn_of_orientation(elements, pose.vertices, report.warnings, alignment_ != Alignment::NonNegative);
     const Matrix<R> vertices = rows_of(pose.vertices, elements.dimension());
-    // What there is beside a similarity, whose energy is zero.
+    // The pose less a similarity, whose energy is zero.
     const Similar<R> similar = this->similar_to(pose.vertices);
     const Matrix<R> fixed = of_vertices_ * (vertices - similar.vertices);
     Matrix<R> normals;

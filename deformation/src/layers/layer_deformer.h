@@ -32,7 +32,7 @@ inline CageCoordinates layers_of(const Cage& cage, const DeformOptions& options,
           CoordinateOptions{options.evaluation, options.triangulation, {}}};
 }
 
-/// What a similarity makes of a cage's vertices and of its normal derivatives, a row each.
+/// Images of a cage's vertices and normal derivatives under a similarity, one row each.
 template <Scalar R>
 struct Similar {
   Matrix<R> vertices, normals;
@@ -67,7 +67,7 @@ class LayerDeformer : public Deformer<R> {
   void regularise(Regularisation<R> found) { regularisation_ = std::move(found); }
   const Regularisation<R>& regularisation() const { return regularisation_; }
 
-  /// What the similarity next to the pose makes of the cage at rest. Its densities, and its second derivatives, are
+  /// The rest cage under the similarity next to the pose. Its densities, and its second derivatives, are
   /// zero by what layers are. Sums of layers give zero only up to their roundings, which a system's condition
   /// multiplies. So a method asks its system for what the pose has beside this, and rigid poses keep their digits.
   Similar<R> similar_to(const std::vector<Vec3<R>>& posed) const {
