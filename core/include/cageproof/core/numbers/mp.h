@@ -33,7 +33,8 @@ concept BuiltinNumber =
 ///
 /// Where CAGEPROOF_NO_MPFR is defined, Boost's cpp_bin_float does the work with as many bits: sums, differences,
 /// products, quotients and square roots are the same to the last bit. Other functions are computed in 64 bits more and
-/// rounded then, so that they too are the nearest numbers, except in one case of 2^50 or so. Exponents have 32 bits there.
+/// rounded then, so that they too are the nearest numbers, except in one case of 2^50 or so. Exponents have 32 bits
+/// there.
 template <unsigned Digits>
 class Mp {
  public:
