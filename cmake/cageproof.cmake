@@ -137,19 +137,21 @@ function(cageproof_all_forms target include)
   endforeach()
 endfunction()
 
-# cageproof_tests(NAME LINK rooms... [LABELS label...] [UNITY]): every tests/*.cpp of the room in one GoogleTest program, and a test of CTest per suite. Tests
+# cageproof_tests(NAME LINK rooms... [LABELS label...] [UNITY] [OPTIMISED]): every tests/*.cpp of the room in one GoogleTest program, and a test of CTest per suite. Tests
 # labelled `memory` also run under the address sanitizer, and `threads` under the thread sanitizer. UNITY: in a unity build eight sources are compiled at once,
 # which halves the time, because tests instantiate the same templates. Names in anonymous namespaces meet there: a source whose names another one has puts
 # them into a namespace of its own.
+# Tests are compiled without optimisation, in half the time or less. What both they and a room instantiate is the room's, as users get it: the linker takes the
+# first copy, and rooms are linked first. OPTIMISED: tests that compute for longer than they take to compile.
 function(cageproof_tests name)
-  cmake_parse_arguments(ARG "UNITY" "" "LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "UNITY;OPTIMISED" "" "LINK;LABELS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/*.cpp)
   if(NOT sources OR CAGEPROOF_LIBRARY_ONLY)
     return()
   endif()
-  add_executable(${name}_tests ${sources} ${PROJECT_SOURCE_DIR}/cmake/test_main.cpp)
+  add_library(${name}_test_objects OBJECT ${sources})
   # Sources without a group are compiled one by one.
-  set_target_properties(${name}_tests PROPERTIES UNITY_BUILD_MODE GROUP)
+  set_target_properties(${name}_test_objects PROPERTIES UNITY_BUILD_MODE GROUP)
   if(ARG_UNITY)
     set(count 0)
     foreach(source ${sources})
@@ -158,16 +160,21 @@ function(cageproof_tests name)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP tests_${group})
     endforeach()
   endif()
-  target_link_libraries(${name}_tests PRIVATE ${ARG_LINK} cageproof_flags GTest::gtest)
-  target_include_directories(${name}_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/cmake)
-  # GCC takes a precompiled header only with the very definitions that it was made with; core's tests come first.
-  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang AND NOT name STREQUAL core)
-    target_precompile_headers(${name}_tests REUSE_FROM core_tests)
-  else()
-    target_precompile_headers(${name}_tests PRIVATE <cageproof/core/numbers/linear.h> <gtest/gtest.h>)
+  target_link_libraries(${name}_test_objects PRIVATE ${ARG_LINK} cageproof_flags GTest::gtest)
+  target_include_directories(${name}_test_objects PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/cmake)
+  if(NOT ARG_OPTIMISED)
+    target_compile_options(${name}_test_objects PRIVATE -O0)
   endif()
-  target_compile_definitions(${name}_tests PRIVATE
+  # GCC takes a precompiled header only with the very definitions that it was made with; core's tests come first.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang AND NOT name STREQUAL core AND NOT ARG_OPTIMISED)
+    target_precompile_headers(${name}_test_objects REUSE_FROM core_test_objects)
+  else()
+    target_precompile_headers(${name}_test_objects PRIVATE <cageproof/core/numbers/linear.h> <gtest/gtest.h>)
+  endif()
+  target_compile_definitions(${name}_test_objects PRIVATE
     CAGEPROOF_SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared/data")
+  add_executable(${name}_tests ${PROJECT_SOURCE_DIR}/cmake/test_main.cpp)
+  target_link_libraries(${name}_tests PRIVATE ${ARG_LINK} ${name}_test_objects cageproof_flags GTest::gtest)
   set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
   add_custom_command(TARGET ${name}_tests POST_BUILD BYPRODUCTS ${suites} COMMENT ""
     COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}_tests> -DPREFIX=${name} "-DLABEL=${ARG_LABELS}" -DTIMEOUT=900 -DOUT=${suites}
