@@ -36,7 +36,7 @@ def library() -> Path:
     return built
 
 
-# What docs/licences.md says goes with the library: texts of licences, and notices of the packages that it includes or links.
+# These go with the library (docs/licences.md): texts of licences, and notices of the packages that it includes or links.
 TEXTS = [Path("/usr/share/common-licenses", name) for name in ("LGPL-3", "GPL-3", "LGPL-2.1", "MPL-2.0", "Apache-2.0")]
 PARTS = ("libcgal-dev", "libeigen3-dev", "libfmt-dev", "libgmp-dev", "libmpfr-dev", "libnlopt-dev", "librandom123-dev", "libtbb-dev")
 NOTICES = [Path("/usr/share/doc", part, "copyright") for part in PARTS]

@@ -14,7 +14,7 @@ fail() {
 # A copy of what pip reads, so that the project's folder stays as it is.
 mkdir "$work/project" && cp -r "$root/python" "$work/project/" && cp "$root/CMakeLists.txt" "$root/LICENSE" "$work/project/" &&
   mkdir "$work/project/docs" && cp "$root/docs/licences.md" "$work/project/docs/"
-# Tags of tiny libraries: how new the C library must be is seen from their symbols, and one that needs others gets the machine's own tag.
+# The tags of three tiny libraries: without new symbols, with one of glibc 2.35, and with another library, which manylinux does not allow.
 echo 'double f(double x, double y) { return x + y; }' | cc -shared -fPIC -x c - -o "$work/plain.so" &&
   printf '__asm__(".symver g, hypot@GLIBC_2.35");\ndouble g(double, double);\ndouble f(double x) { return g(x, x); }' | cc -shared -fPIC -x c - -lm -o "$work/newer.so" &&
   echo 'int f(void) { return 0; }' | cc -shared -fPIC -x c - -Wl,--no-as-needed -L "$work" -l:plain.so -o "$work/others.so" || fail "tiny libraries"
