@@ -222,3 +222,16 @@ def test_second_pose_is_quick(capsys):
     with capsys.disabled():
         print(f" {len(mesh)} points, a further pose: {np.median(times):.1f} ms ", end="")
     assert np.median(times) < 60  # some 6 on a machine with nothing else to do; coordinates anew take ten times as long
+
+
+@pytest.mark.parametrize("name", ["cube", "icosphere", "square"])
+def test_calls_leave_nothing_behind(name):
+    """Memory of earlier calls, of other orders, numbers of points and places, decides no bit."""
+    cage, random = cageproof.Cage.embedded(name), np.random.default_rng(3)
+    prepared = cage.prepare("green")
+    near = cage.vertices[:2] * (1 - 1e-9)
+    for order, count in [(2, 70), (0, 1), (1, 3), (0, 130), (2, 1), (0, 9)]:
+        points = np.vstack([random.uniform(-0.6, 0.6, (count, cage.dimension)), near, cage.vertices[:1]])
+        found, fresh = prepared(points, order), cage.prepare("green")(points, order)
+        for a, b in zip(*((found, fresh) if order else ([found], [fresh]))):
+            assert np.array_equal(a, b, equal_nan=True)
