@@ -8,7 +8,11 @@
  * Functions that can fail return CAGEPROOF_OK or the code of an error, and cageproof_error() has its text: one line,
  * of the last call of the same thread. After an error outputs are unspecified, and handles are unchanged. NULL is
  * allowed only where it is said. A handle may be used by several threads at once, except by `cageproof_deformer_pose`,
- * and by the functions that free it. */
+ * and by the functions that free it.
+ *
+ * Handles are not checked, for speed. With CAGEPROOF_CHECK_HANDLES in the environment, and in debug builds of the
+ * library, one that was freed or never made is an error; functions that free then do nothing but say so by
+ * cageproof_error(). Each handle then keeps some memory after it was freed. */
 #ifndef CAGEPROOF_C_H
 #define CAGEPROOF_C_H
 
