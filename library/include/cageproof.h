@@ -226,7 +226,9 @@ enum { CAGEPROOF_INSIDE = 0, CAGEPROOF_OUTSIDE = 1, CAGEPROOF_MEAN = 2 };
 /* What is computed. evaluation: NULL for the recommended one. Options: "threads", and the formula's parameters. */
 typedef struct cageproof_request {
   const char* formula;    /* "triangle.double_layer" ... */
-  const char* evaluation; /* "hybrid", "closed_form", "accurate" ...; or NULL */
+  const char* evaluation; /* "hybrid", "closed_form", "accurate" ...; or NULL. "batched": values of all pairs, or their
+                             sums, of single, double and biharmonic layers on triangles and segments, many times as
+                             quickly. Digits are then those of the largest value at a point, in the list's own size. */
   const cageproof_option* options;
   size_t option_count;
   int order; /* 0 values, 1 and gradients, 2 and Hessians: as many of the output arrays are needed */
