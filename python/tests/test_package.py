@@ -89,6 +89,8 @@ def test_read(tmp_path, cube):
         ("8", lambda c: c.deformer("green").pose([[0, 0, 0]])),
         ("another", lambda c: c.deformer("green").pose(c.vertices).images(c.deformer("green").bind([[0, 0, 0]]))),
         ("out", lambda c: c.deformer("green").pose(c.vertices).images([[0, 0, 0]], out=np.empty(3))),
+        ("out", lambda c: c.prepare("green")([[0, 0, 0]], out=np.empty((2, 20)))),
+        ("out: 1 arrays, not 2", lambda c: c.prepare("green")([[0, 0, 0]], 1, out=np.empty((1, 20)))),
         ("data", lambda c: c.prepare("green").apply([[0, 0, 0]], np.ones(7))),
         ("elements", lambda c: cageproof.evaluate("triangle.solid_angle", [[0, 0, 0]], [0, 0, 0])),
         ("pairs", lambda c: cageproof.evaluate("triangle.solid_angle", np.ones((2, 3, 3)) * np.eye(3), np.zeros((3, 3)))),
@@ -209,6 +211,11 @@ def test_no_copies_and_no_leaks():
     deformer = cage.deformer("green").pose(cage.vertices)
     out = np.empty((5, 3))
     assert deformer.images(array, out=out) is out
+    green = cage.prepare("green")
+    values, gradients = np.empty((5, 20)), np.empty((5, 20, 3))
+    assert green(array, out=values) is values and np.array_equal(values, green(array))
+    found = green(array, 1, out=(values, gradients))
+    assert found[0] is values and found[1] is gradients and np.array_equal(gradients, green(array, 1)[1])
 
     def resident():
         return int(open("/proc/self/statm").read().split()[1])
