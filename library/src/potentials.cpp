@@ -6,6 +6,7 @@
 #include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/catalogue/named_parameters.h"
 #include "cageproof/core/coordinates/whole_evaluation.h"
+#include "cageproof/core/geometry/box_tree.h"
 #include "cageproof/core/geometry/orientation.h"
 #include "cageproof/core/geometry/quad_geometry.h"
 #include "cageproof/core/parallel.h"
@@ -139,12 +140,35 @@ CageCoordinates batched_coordinates(const ElementRequest& request, std::vector<V
           cage_like(formula)};
 }
 
-// Coordinates have limits of a closed surface at points on it: those are asked again, element by element.
-void ask_again(const CageCoordinates& all, std::span<const Vec3<double>> points, std::size_t first, std::size_t block,
-               const std::function<void(std::size_t, std::size_t)>& one_by_one) {
-  for (std::size_t p = first; p < first + block; ++p)
-    if (!all.elements().touching(points[p]).empty()) one_by_one(p, 1);
-}
+// Finds points on elements, where coordinates have limits of a closed surface, which a list of elements has not.
+class PointsOn {
+ public:
+  explicit PointsOn(const CageElements& elements) : elements_(elements), boxes_(boxes_around(elements)) {}
+
+  /// Asks them again, element by element.
+  void ask_again(std::span<const Vec3<double>> points, std::size_t first, std::size_t block,
+                 const std::function<void(std::size_t, std::size_t)>& one_by_one) const {
+    for (std::size_t p = first; p < first + block; ++p) {
+      bool in_a_box = false;
+      boxes_.for_each_meeting({points[p], points[p]}, [&](int) {
+        in_a_box = true;
+        return false;
+      });
+      if (in_a_box && !elements_.touching(points[p]).empty()) one_by_one(p, 1);
+    }
+  }
+
+ private:
+  static std::vector<Box> boxes_around(const CageElements& elements) {
+    std::vector<Box> boxes;
+    boxes.reserve(elements.count());
+    for (std::size_t e = 0; e < elements.count(); ++e) boxes.push_back(box_of(elements.corners(e)));
+    return boxes;
+  }
+
+  const CageElements& elements_;
+  BoxTree boxes_;
+};
 
 }  // namespace
 
@@ -204,10 +228,11 @@ void evaluate_all(const ElementRequest& request, std::span<const double> element
   const BatchedFormula* const batched = request.of.batched();
   if (batched == nullptr || count == 0) return for_blocks(at.size(), request.threads, one_by_one);
   const CageCoordinates all = batched_coordinates(request, corners);
+  const PointsOn on(all.elements());
   for_blocks(at.size(), request.threads, [&](std::size_t first, std::size_t block) {
     const auto tables = all.at<double>(std::span(at).subspan(first, block), 0);
     std::ranges::copy(tables[batched->block].tensors[0], results[0].begin() + static_cast<std::ptrdiff_t>(first * row));
-    ask_again(all, at, first, block, one_by_one);
+    on.ask_again(at, first, block, one_by_one);
   });
 }
 
@@ -258,6 +283,7 @@ void apply_all(const ElementRequest& request, std::span<const double> elements, 
   const BatchedFormula* const batched = request.of.batched();
   if (batched == nullptr || count == 0) return for_blocks(at.size(), request.threads, one_by_one);
   const CageCoordinates all = batched_coordinates(request, corners);
+  const PointsOn on(all.elements());
   CageData data{.sets = sets, .blocks = {}};
   for (const CoordinateBlock& b : all.blocks()) data.blocks.emplace_back(static_cast<std::size_t>(b.size) * wide, 0.0);
   data.blocks[batched->block].assign(densities.begin(), densities.end());
@@ -265,7 +291,7 @@ void apply_all(const ElementRequest& request, std::span<const double> elements, 
     const AppliedTable table = all.apply(std::span(at).subspan(first, block), 0, data);
     const auto to = results[0].subspan(first * wide, block * wide);
     std::ranges::copy(table.tensors[0], to.begin());
-    ask_again(all, at, first, block, [&](std::size_t p, std::size_t count_of) {
+    on.ask_again(at, first, block, [&](std::size_t p, std::size_t count_of) {
       std::ranges::fill(results[0].subspan(p * wide, wide), 0.0);
       one_by_one(p, count_of);
     });
