@@ -17,8 +17,10 @@ class Cageproof(ConanFile):
     topics = ("geometry", "barycentric coordinates", "deformation", "potentials")
     package_type = "shared-library"
     settings = "os", "arch", "compiler", "build_type"
+    # Without them: docs/library.md.
+    options = {"mpfr": [True, False], "nlopt": [True, False], "tbb": [True, False]}
     # Static MPFR keeps thread-local settings that a shared library cannot have (library/shared.cmake).
-    default_options = {"mpfr/*:shared": True, "gmp/*:shared": True, "boost/*:header_only": True, "fmt/*:shared": False}
+    default_options = {"mpfr": True, "nlopt": True, "tbb": True, "mpfr/*:shared": True, "gmp/*:shared": True, "boost/*:header_only": True, "fmt/*:shared": False}
     exports_sources = "CMakeLists.txt", "LICENSE", "cmake/*", "docs/licences.md", *(
         f"{room}/*" for room in ("core", "closed_form", "adaptive_qmvc", "solved", "deformation", "fast", "library")
     )
@@ -33,10 +35,13 @@ class Cageproof(ConanFile):
         self.requires("cgal/[>=5.5 <7]", headers=True, libs=False, visible=False)
         self.requires("eigen/[>=3.4 <4]", headers=True, libs=False, visible=False)
         self.requires("fmt/[>=9 <12]", visible=False)
-        self.requires("gmp/[>=6.2 <7]")
-        self.requires("mpfr/[>=4.1 <5]")
-        self.requires("nlopt/[>=2.7 <3]")
-        self.requires("onetbb/[>=2021 <2023]")
+        if self.options.mpfr:
+            self.requires("gmp/[>=6.2 <7]")
+            self.requires("mpfr/[>=4.1 <5]")
+        if self.options.nlopt:
+            self.requires("nlopt/[>=2.7 <3]")
+        if self.options.tbb:
+            self.requires("onetbb/[>=2021 <2023]")
 
     def system_requirements(self):
         # Header only, and not in ConanCenter.
@@ -48,6 +53,9 @@ class Cageproof(ConanFile):
     def generate(self):
         toolchain = CMakeToolchain(self)
         toolchain.cache_variables["CAGEPROOF_LIBRARY_ONLY"] = True
+        toolchain.cache_variables["CAGEPROOF_MPFR"] = bool(self.options.mpfr)
+        toolchain.cache_variables["CAGEPROOF_NLOPT"] = bool(self.options.nlopt)
+        toolchain.cache_variables["CAGEPROOF_TBB"] = bool(self.options.tbb)
         toolchain.generate()
         CMakeDeps(self).generate()
 

@@ -6,6 +6,8 @@ if(CAGEPROOF_MPFR)
   find_library(MPFR_SHARED_LIBRARY NAMES libmpfr.so mpfr REQUIRED)
   find_library(GMP_SHARED_LIBRARY NAMES libgmp.so gmp REQUIRED)
 endif()
+# Its loops know by a thread-local flag whether they lie within others.
+set_property(SOURCE ${PROJECT_SOURCE_DIR}/core/src/parallel.cpp TARGET_DIRECTORY cageproof_core APPEND PROPERTY COMPILE_OPTIONS -fPIC)
 set(exports ${CMAKE_CURRENT_SOURCE_DIR}/exports.map)
 set(shared_objects)
 foreach(room library fast deformation solved adaptive_qmvc closed_form core)

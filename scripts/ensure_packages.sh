@@ -63,6 +63,7 @@ python3-jsonschema       checks real output against docs/schemas
 nodejs                   runs the checker of test vectors in JavaScript
 python3-numpy            docs/apply.md's examples: what coordinates' files hold, and what is done with it
 python3-pytest           runs the tests of the package for Python
+python3-hypothesis       seeks counterexamples of what must hold for any cage, through that package
 python3-pip              builds and installs that package
 python3-setuptools       builds its wheel
 python3-wheel            likewise

@@ -38,6 +38,20 @@ class Work {
   std::atomic<std::size_t> next_{0};
 };
 
+// Whether loops within a task stay on its thread: within a loop of one job.
+thread_local bool stays = false;
+
+class Staying {
+ public:
+  Staying() : before_(stays) { stays = true; }
+  ~Staying() { stays = before_; }
+  Staying(const Staying&) = delete;
+  Staying& operator=(const Staying&) = delete;
+
+ private:
+  bool before_;
+};
+
 #ifdef CAGEPROOF_TBB
 
 void run_on(int threads, Work& work) {
@@ -47,22 +61,18 @@ void run_on(int threads, Work& work) {
 
 #else
 
-// A loop within a task stays on its thread: the others are busy with the outer loop.
-thread_local bool within_loop = false;
-
 void run_on(int threads, Work& work) {
-  if (within_loop || threads == 1) return work.run();
   std::mutex mutex;
   std::exception_ptr failure;
   const auto run = [&] {
-    within_loop = true;
+    // The other threads are busy with this loop.
+    const Staying here;
     try {
       work.run();
     } catch (...) {
       const std::scoped_lock lock(mutex);
       failure = std::current_exception();
     }
-    within_loop = false;
   };
   {
     std::vector<std::jthread> others;
@@ -86,9 +96,15 @@ int threads_for(int jobs) {
 }
 
 void for_each_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& task) {
-  const int threads = threads_for(jobs);
+  const int threads = stays ? 1 : threads_for(jobs);
+  if (threads == 1) {
+    // Without an arena, which takes microseconds.
+    const Staying here;
+    for (std::size_t i = 0; i < count; ++i) task(i);
+    return;
+  }
 #ifdef CAGEPROOF_TBB
-  // One task needs no arena, which takes microseconds, where its own loops have as many threads without.
+  // One task needs no arena where its own loops have as many threads without.
   if (count == 1 && threads == tbb::this_task_arena::max_concurrency()) return task(0);
 #endif
   Work work(count, task);
@@ -104,9 +120,9 @@ void for_each_parallel(std::size_t count, int jobs, const std::function<void(std
 void for_ranges_parallel(std::size_t count, std::size_t grain,
                          const std::function<void(std::size_t begin, std::size_t end)>& task) {
 #ifdef CAGEPROOF_TBB
-  const int threads = tbb::this_task_arena::max_concurrency();
+  const int threads = stays ? 1 : tbb::this_task_arena::max_concurrency();
 #else
-  const int threads = threads_for(0);
+  const int threads = stays ? 1 : threads_for(0);
 #endif
   constexpr std::size_t ranges_per_thread = 4;
   const std::size_t most = ranges_per_thread * static_cast<std::size_t>(threads);

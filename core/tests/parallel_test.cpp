@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace cageproof {
@@ -51,6 +53,26 @@ TEST(parallel, loops_within_a_loop_are_whole) {
     for_ranges_parallel(10, 1, [&](std::size_t begin, std::size_t end) { runs += static_cast<int>(end - begin); });
   });
   EXPECT_EQ(runs, 400);
+}
+
+TEST(parallel, loops_within_one_job_stay_on_its_thread) {
+  const std::thread::id own = std::this_thread::get_id();
+  std::atomic<int> runs{0}, elsewhere{0};
+  const auto task = [&](std::size_t) {
+    ++runs;
+    if (std::this_thread::get_id() != own) ++elsewhere;
+    // Long enough for another thread to take part.
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  };
+  for_each_parallel(2, 1, [&](std::size_t) {
+    for_each_parallel(10, 0, task);
+    for_each_parallel(10, 3, task);
+    for_ranges_parallel(20, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) task(i);
+    });
+  });
+  EXPECT_EQ(runs, 80);
+  EXPECT_EQ(elsewhere, 0);
 }
 
 TEST(parallel, an_exception_ends_the_loop_and_reaches_the_caller) {

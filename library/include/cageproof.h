@@ -8,7 +8,11 @@
  * Functions that can fail return CAGEPROOF_OK or the code of an error, and cageproof_error() has its text: one line,
  * of the last call of the same thread. After an error outputs are unspecified, and handles are unchanged. NULL is
  * allowed only where it is said. A handle may be used by several threads at once, except by `cageproof_deformer_pose`,
- * and by the functions that free it. */
+ * and by the functions that free it.
+ *
+ * Handles are not checked, for speed. With CAGEPROOF_CHECK_HANDLES in the environment, and in debug builds of the
+ * library, one that was freed or never made is an error; functions that free then do nothing but say so by
+ * cageproof_error(). Each handle then keeps some memory after it was freed. */
 #ifndef CAGEPROOF_C_H
 #define CAGEPROOF_C_H
 
@@ -222,7 +226,9 @@ enum { CAGEPROOF_INSIDE = 0, CAGEPROOF_OUTSIDE = 1, CAGEPROOF_MEAN = 2 };
 /* What is computed. evaluation: NULL for the recommended one. Options: "threads", and the formula's parameters. */
 typedef struct cageproof_request {
   const char* formula;    /* "triangle.double_layer" ... */
-  const char* evaluation; /* "hybrid", "closed_form", "accurate" ...; or NULL */
+  const char* evaluation; /* "hybrid", "closed_form", "accurate" ...; or NULL. "batched": values of all pairs, or their
+                             sums, of single, double and biharmonic layers on triangles and segments, many times as
+                             quickly. Digits are then those of the largest value at a point, in the list's own size. */
   const cageproof_option* options;
   size_t option_count;
   int order; /* 0 values, 1 and gradients, 2 and Hessians: as many of the output arrays are needed */

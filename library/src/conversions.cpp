@@ -95,11 +95,9 @@ void check_size(std::size_t given, std::size_t wanted, std::string_view what) {
 }
 
 void for_blocks(std::size_t points, int threads, const std::function<void(std::size_t, std::size_t)>& task) {
-  // Blocks of points share what evaluations prepare for an element.
-  constexpr std::size_t together = 64;
-  for_each_parallel((points + together - 1) / together, threads, [&](std::size_t block) {
-    const std::size_t first = block * together;
-    task(first, std::min(together, points - first));
+  for_each_parallel((points + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
+    const std::size_t first = block * kBlock;
+    task(first, std::min(kBlock, points - first));
   });
 }
 

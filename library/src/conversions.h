@@ -28,7 +28,10 @@ void check_multiple(std::size_t numbers, std::size_t of, std::string_view what);
 /// \throws InputError unless there are so many
 void check_size(std::size_t given, std::size_t wanted, std::string_view what);
 
-/// Calls task(first, count) for blocks of [0, points) on so many threads, 0 for all cores.
+/// How many points share what evaluations prepare for an element.
+constexpr std::size_t kBlock = 64;
+
+/// Calls task(first, count) for blocks of kBlock points of [0, points) on so many threads, 0 for all cores.
 void for_blocks(std::size_t points, int threads, const std::function<void(std::size_t, std::size_t)>& task);
 
 }  // namespace cageproof::library

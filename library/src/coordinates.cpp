@@ -64,6 +64,8 @@ struct Coordinates::Prepared {
   std::vector<Element> elements;
   std::size_t row = 0;
   bool is_numbers = true;
+  // Tables of earlier calls, so that those for a few points find memory.
+  mutable Reused<std::vector<CoordinateTable<double>>> reused;
 };
 
 Coordinates::Coordinates(const Cage& cage, const std::string& kind, const Options& options)
@@ -86,7 +88,10 @@ void Coordinates::evaluate(std::span<const double> points, std::span<double> val
     throw InputError(fmt::format("{} by {} gives derivatives up to order {}, not {}",
                                  prepared_->coordinates.kind().name, evaluation(), max_order(), order));
   for (int o = 0; o <= order; ++o) check_size(out[o].size(), at.size() * row(o), names[o]);
-  Reused<std::vector<CoordinateTable<double>>> reused;
+  // Large tables go with the call.
+  constexpr std::size_t kept = 1U << 16;
+  Reused<std::vector<CoordinateTable<double>>> own;
+  auto& reused = std::min(at.size(), kBlock) * row(order) <= kept ? prepared_->reused : own;
   for_blocks(at.size(), prepared_->threads, [&](std::size_t first, std::size_t count) {
     auto held = reused.taken();
     std::vector<CoordinateTable<double>>& tables = *held;

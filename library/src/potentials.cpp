@@ -3,7 +3,10 @@
 
 #include "conversions.h"
 
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/catalogue/named_parameters.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
+#include "cageproof/core/geometry/box_tree.h"
 #include "cageproof/core/geometry/orientation.h"
 #include "cageproof/core/geometry/quad_geometry.h"
 #include "cageproof/core/parallel.h"
@@ -18,9 +21,31 @@
 namespace cageproof::library {
 namespace {
 
+constexpr std::string_view kBatched = "batched";
+
+// A cage of elements of a formula's kind.
+const cageproof::Cage& cage_like(const Formula& formula) {
+  static const cageproof::Cage space = cageproof::embedded_cage("icosphere"),
+                               plane = cageproof::embedded_cage("square");
+  return formula.dim() == 3 ? space : plane;
+}
+
+// \throws InputError, with the formula's evaluations, where there is none
+std::optional<BatchedFormula> batched_of(const std::string& name, const std::string& evaluation) {
+  if (evaluation != kBatched) return std::nullopt;
+  const Formula& formula = formula_named(name);
+  for (const CoordinateKind& kind : coordinate_kinds())
+    for (std::size_t b = 0; kind.is_sum() && !kind.normalised && !kind.keeps_quads && b < kind.blocks.size(); ++b)
+      // Kelvin's sums leave out what cancels on closed surfaces.
+      if (kind.blocks[b].kernel == formula.kernel() && formula.corners() < 4 && formula.shape.entries() == 1 &&
+          find_whole_evaluation(kBatched, kind, cage_like(formula)) != nullptr)
+        return BatchedFormula{&kind, b};
+  throw InputError(fmt::format("{} has no batched evaluation: only single, double and biharmonic layers have", name));
+}
+
 Evaluation evaluation_of(const std::string& formula, const std::string& name) {
   const Formula& row = formula_named(formula);
-  if (!name.empty()) return evaluation_named(formula, name);
+  if (!name.empty() && name != kBatched) return evaluation_named(formula, name);
   const auto recommended = EvaluationRegister::instance().with_role(row.name, Role::Recommended);
   if (!recommended) throw InputError(fmt::format("{} has no recommended evaluation; name one", formula));
   return *recommended;
@@ -76,6 +101,8 @@ void check_request(const ElementRequest& request, const TensorSpans& results, st
   if (request.order < 0 || request.order > request.of.evaluation().max_order())
     throw InputError(fmt::format("{} of {} gives derivatives up to order {}, not {}", request.of.evaluation().name(),
                                  request.of.formula().name, request.of.evaluation().max_order(), request.order));
+  if (request.of.batched() != nullptr && request.order > 0)
+    throw InputError("batched gives values only: ask without it for derivatives");
   constexpr std::array names{"values", "gradients", "hessians"};
   for (int o = 0; o < 3; ++o)
     check_size(results[o].size(), o <= request.order ? numbers * derivative_count(request.of.formula().dim(), o) : 0,
@@ -98,11 +125,57 @@ void evaluate_block(const ElementRequest& request, std::span<const Vec3<double>>
   }
 }
 
+// Elements that share nothing, each with vertices of its own: their coordinates are the formula's tensors, in its
+// order.
+CageCoordinates batched_coordinates(const ElementRequest& request, std::vector<Vec3<double>> corners) {
+  const Formula& formula = request.of.formula();
+  std::vector<Face> faces(corners.size() / static_cast<std::size_t>(formula.corners()));
+  int next = 0;
+  for (Face& face : faces)
+    for (int k = 0; k < formula.corners(); ++k) face.vertices[k] = next++;
+  const auto parameters = request.of.parameters();
+  return {std::make_shared<const CageElements>(formula.dim(), std::move(corners), std::move(faces)),
+          *request.of.batched()->kind,
+          CoordinateOptions{.evaluation = std::string(kBatched), .parameters = {parameters.begin(), parameters.end()}},
+          cage_like(formula)};
+}
+
+// Finds points on elements, where coordinates have limits of a closed surface, which a list of elements has not.
+class PointsOn {
+ public:
+  explicit PointsOn(const CageElements& elements) : elements_(elements), boxes_(boxes_around(elements)) {}
+
+  /// Asks them again, element by element.
+  void ask_again(std::span<const Vec3<double>> points, std::size_t first, std::size_t block,
+                 const std::function<void(std::size_t, std::size_t)>& one_by_one) const {
+    for (std::size_t p = first; p < first + block; ++p) {
+      bool in_a_box = false;
+      boxes_.for_each_meeting({points[p], points[p]}, [&](int) {
+        in_a_box = true;
+        return false;
+      });
+      if (in_a_box && !elements_.touching(points[p]).empty()) one_by_one(p, 1);
+    }
+  }
+
+ private:
+  static std::vector<Box> boxes_around(const CageElements& elements) {
+    std::vector<Box> boxes;
+    boxes.reserve(elements.count());
+    for (std::size_t e = 0; e < elements.count(); ++e) boxes.push_back(box_of(elements.corners(e)));
+    return boxes;
+  }
+
+  const CageElements& elements_;
+  BoxTree boxes_;
+};
+
 }  // namespace
 
 ElementFormula::ElementFormula(const std::string& formula, const std::string& evaluation,
                                const std::vector<std::pair<std::string, std::string>>& parameters)
-    : evaluation_(evaluation_of(formula, evaluation)),
+    : batched_(batched_of(formula, evaluation)),
+      evaluation_(evaluation_of(formula, evaluation)),
       parameters_(parameter_values(parameter_texts(parameters), parameters_of(evaluation_.formula()), {formula})) {
   if (!evaluation_.supports<double>())
     throw InputError(fmt::format("{} of {} does not exist in double", evaluation_.name(), formula));
@@ -111,6 +184,8 @@ ElementFormula::ElementFormula(const std::string& formula, const std::string& ev
 void evaluate_pairs(const ElementRequest& request, std::span<const double> elements, std::span<const double> points,
                     const TensorSpans& results) {
   const Formula& formula = request.of.formula();
+  if (request.of.batched() != nullptr)
+    throw InputError("batched computes all pairs of elements and points, not one per element");
   const std::vector<Vec3<double>> corners = checked_elements(formula, elements),
                                   at = finite_vectors(points, formula.dim(), "points");
   const auto each = static_cast<std::size_t>(formula.corners()), width = static_cast<std::size_t>(formula.components());
@@ -142,13 +217,22 @@ void evaluate_all(const ElementRequest& request, std::span<const double> element
   const auto each = static_cast<std::size_t>(formula.corners()), width = static_cast<std::size_t>(formula.components());
   const std::size_t count = corners.size() / each, row = count * width;
   check_request(request, results, at.size() * row);
-  for_blocks(at.size(), request.threads, [&](std::size_t first, std::size_t block) {
+  const auto one_by_one = [&](std::size_t first, std::size_t block) {
     for (std::size_t e = 0; e < count; ++e) {
       std::array<double*, 3> to{};
       for (int o = 0; o <= request.order; ++o)
         to[o] = results[o].data() + (first * row + e * width) * derivative_count(formula.dim(), o);
       evaluate_block(request, std::span(corners).subspan(e * each, each), std::span(at).subspan(first, block), to, row);
     }
+  };
+  const BatchedFormula* const batched = request.of.batched();
+  if (batched == nullptr || count == 0) return for_blocks(at.size(), request.threads, one_by_one);
+  const CageCoordinates all = batched_coordinates(request, corners);
+  const PointsOn on(all.elements());
+  for_blocks(at.size(), request.threads, [&](std::size_t first, std::size_t block) {
+    const auto tables = all.at<double>(std::span(at).subspan(first, block), 0);
+    std::ranges::copy(tables[batched->block].tensors[0], results[0].begin() + static_cast<std::ptrdiff_t>(first * row));
+    on.ask_again(at, first, block, one_by_one);
   });
 }
 
@@ -167,7 +251,7 @@ void apply_all(const ElementRequest& request, std::span<const double> elements, 
   check_size(densities.size(), count * of_element, "densities");
   check_request(request, results, at.size() * rows * wide);
   for (int o = 0; o <= request.order; ++o) std::ranges::fill(results[o], 0.0);
-  for_blocks(at.size(), request.threads, [&](std::size_t first, std::size_t block) {
+  const auto one_by_one = [&](std::size_t first, std::size_t block) {
     std::array<std::vector<double>, 3> found;
     std::array<double*, 3> to{};
     for (int o = 0; o <= request.order; ++o) {
@@ -195,6 +279,22 @@ void apply_all(const ElementRequest& request, std::span<const double> elements, 
               }
       }
     }
+  };
+  const BatchedFormula* const batched = request.of.batched();
+  if (batched == nullptr || count == 0) return for_blocks(at.size(), request.threads, one_by_one);
+  const CageCoordinates all = batched_coordinates(request, corners);
+  const PointsOn on(all.elements());
+  CageData data{.sets = sets, .blocks = {}};
+  for (const CoordinateBlock& b : all.blocks()) data.blocks.emplace_back(static_cast<std::size_t>(b.size) * wide, 0.0);
+  data.blocks[batched->block].assign(densities.begin(), densities.end());
+  for_blocks(at.size(), request.threads, [&](std::size_t first, std::size_t block) {
+    const AppliedTable table = all.apply(std::span(at).subspan(first, block), 0, data);
+    const auto to = results[0].subspan(first * wide, block * wide);
+    std::ranges::copy(table.tensors[0], to.begin());
+    on.ask_again(at, first, block, [&](std::size_t p, std::size_t count_of) {
+      std::ranges::fill(results[0].subspan(p * wide, wide), 0.0);
+      one_by_one(p, count_of);
+    });
   });
 }
 

@@ -3,11 +3,19 @@
 #pragma once
 
 #include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include <array>
+#include <optional>
 #include <span>
 
 namespace cageproof::library {
+
+/// The coordinates that sum a formula on a vector of points at once, and their block that it is; nothing for most.
+struct BatchedFormula {
+  const CoordinateKind* kind;
+  std::size_t block;
+};
 
 /// Which limit points on an element get.
 enum class Side { Inside, Outside, Mean };
@@ -15,7 +23,8 @@ enum class Side { Inside, Outside, Mean };
 /// A formula by one evaluation, with its parameters.
 class ElementFormula {
  public:
-  /// \param evaluation empty for the recommended one \param parameters names and texts of values
+  /// \param evaluation empty for the recommended one, or "batched" for values of all pairs
+  /// \param parameters names and texts of values
   /// \throws InputError for an unknown name, and for a parameter out of range
   ElementFormula(const std::string& formula, const std::string& evaluation,
                  const std::vector<std::pair<std::string, std::string>>& parameters);
@@ -23,8 +32,11 @@ class ElementFormula {
   const Formula& formula() const { return evaluation_.formula(); }
   const Evaluation& evaluation() const { return evaluation_; }
   std::span<const double> parameters() const { return parameters_; }
+  /// Null unless the evaluation is "batched"; evaluation() is then the recommended one.
+  const BatchedFormula* batched() const { return batched_ ? &*batched_ : nullptr; }
 
  private:
+  std::optional<BatchedFormula> batched_;
   Evaluation evaluation_;
   std::vector<double> parameters_;
 };

@@ -165,13 +165,19 @@ class Coordinates:
         self.normals = np.empty((elements.value, self.dimension))
         call("coordinates_elements", pointer, *passed(self.elements), *passed(self.element_faces), *passed(self.normals))
 
-    def __call__(self, points: Any, order: int = 0) -> Arrays:
+    def __call__(self, points: Any, order: int = 0, out: Optional[Arrays] = None) -> Arrays:
         """Values (n, row); with order=1 also gradients (n, row, dimension), with order=2 Hessians (n, row, dimension,
-        dimension), as a tuple. On the cage limits from inside; NaN for derivatives that do not exist."""
+        dimension), as a tuple. On the cage limits from inside; NaN for derivatives that do not exist.
+
+        out: an array for the result, or a tuple of them, to be filled again and again: new memory takes a third of the
+        time of cheap coordinates."""
         at = points_of(points, self.dimension)
         if order not in (0, 1, 2):
             raise Error(f"order {order} is none of 0, 1, 2")
-        found = [np.empty((len(at), self.row) + (self.dimension,) * o) for o in range(order + 1)]
+        to = [out] if isinstance(out, np.ndarray) or out is None else list(out)
+        if out is not None and len(to) != order + 1:
+            raise Error(f"out: {len(to)} arrays, not {order + 1}")
+        found = [result((len(at), self.row) + (self.dimension,) * o, to[o] if out is not None else None) for o in range(order + 1)]
         spans = [x for o in range(3) for x in passed(found[o] if o <= order else None)]
         if len(at):
             call("coordinates_evaluate", self._handle.pointer, *passed(at), *spans)

@@ -108,7 +108,8 @@ def potentials(
 
     densities: (elements,), of formulas per corner (elements, corners), of matrices with a last axis for columns; one more
     axis for several sets at once. Sums are (points,), with rows for matrices, and the sets last. Other arguments as of
-    `evaluate`."""
+    `evaluate`. evaluation="batched" computes values of single, double and biharmonic layers for several points at a time;
+    digits are then those of the largest value at a point."""
     asked = _Asked(name, elements, points, order, evaluation, side, given)
     f, count = asked.shape, len(asked.points)
     if densities is None:

@@ -89,6 +89,8 @@ def test_read(tmp_path, cube):
         ("8", lambda c: c.deformer("green").pose([[0, 0, 0]])),
         ("another", lambda c: c.deformer("green").pose(c.vertices).images(c.deformer("green").bind([[0, 0, 0]]))),
         ("out", lambda c: c.deformer("green").pose(c.vertices).images([[0, 0, 0]], out=np.empty(3))),
+        ("out", lambda c: c.prepare("green")([[0, 0, 0]], out=np.empty((2, 20)))),
+        ("out: 1 arrays, not 2", lambda c: c.prepare("green")([[0, 0, 0]], 1, out=np.empty((1, 20)))),
         ("data", lambda c: c.prepare("green").apply([[0, 0, 0]], np.ones(7))),
         ("elements", lambda c: cageproof.evaluate("triangle.solid_angle", [[0, 0, 0]], [0, 0, 0])),
         ("pairs", lambda c: cageproof.evaluate("triangle.solid_angle", np.ones((2, 3, 3)) * np.eye(3), np.zeros((3, 3)))),
@@ -132,6 +134,63 @@ def test_potentials_with_densities(cube):
         assert np.array_equal(one, sums[..., 0])
 
 
+LAYERS = [f"{element}.{kind}_layer" for element in ("triangle", "segment") for kind in ("single", "double", "biharmonic_single", "biharmonic_double")]
+
+
+@pytest.mark.parametrize("name", LAYERS)
+def test_batched_layers(name):
+    """Within 64 block units of `accurate`, which states its digits: half an ulp, of the values, and of what they change by where points and corners
+    move by the list's size."""
+    f, random = cageproof.formula(name), np.random.default_rng(6)
+    elements = random.uniform(-1, 1, (20, 1, f.dimension)) + 0.3 * random.uniform(-1, 1, (20, f.corners, f.dimension))
+    elements[:, :, -1] = np.round(elements[:, :, -1], 1)
+    points = random.uniform(-1.2, 1.2, (60, f.dimension))
+    points[:20] = elements.mean(axis=1) + 10.0 ** random.uniform(-9, -1, (20, 1)) * random.normal(size=(20, f.dimension))
+    elements[3] = np.eye(f.dimension + 1, f.dimension, -1)[: f.corners]
+    points[20:23], points[23], points[24:28], points[28:32] = elements[:3, 0], elements[3, 1:].sum(axis=0) / 4, elements[4:8, :2].mean(axis=1), 40 * points[28:32]
+    found = cageproof.potentials(name, elements, points, evaluation="batched")
+    truth = cageproof.potentials(name, elements, points, evaluation="accurate")
+    size = np.linalg.norm(np.ptp(elements.reshape(-1, f.dimension), axis=0))
+
+    def norm(x):
+        return np.sqrt((x.reshape(len(points), -1) ** 2).sum(axis=1))
+
+    scale = norm(truth)
+    for axis in range(f.dimension):
+        step = 1e-6 * np.eye(f.dimension)[axis]
+        # On elements slopes have jumps, which make bounds wider than need be, for few points.
+        moved = [cageproof.potentials(name, elements, points + s) for s in (step, -step)]
+        scale += size * norm(moved[0] - moved[1]) / 2e-6
+        for corner in range(f.corners):
+            step_of_corner = np.zeros(elements.shape)
+            step_of_corner[:, corner] = step
+            moved = [cageproof.potentials(name, elements + s, points) for s in (step_of_corner, -step_of_corner)]
+            scale += size * norm(moved[0] - moved[1]) / 2e-6
+    assert (norm(found - truth) <= 64 * 2.0**-53 * scale).all()
+    densities = random.normal(size=truth.shape[1:] + (2,))
+    sums = cageproof.potentials(name, elements, points, densities, evaluation="batched")
+    assert (norm(sums - np.tensordot(found, densities, densities.ndim - 1)) <= 1e-14 * norm(found) * np.linalg.norm(densities)).all()
+    # On elements pairs are those of the recommended evaluation, on each side.
+    for side in ("inside", "mean", "outside"):
+        expected = cageproof.potentials(name, elements, points[20:24], side=side)
+        assert np.array_equal(cageproof.potentials(name, elements, points[20:24], side=side, evaluation="batched"), expected, equal_nan=True)
+
+
+def test_batched_refusals():
+    for name, words, given in (
+        ("triangle.kelvin_traction", "batched", {}),
+        ("quad.single_layer", "batched", {}),
+        ("triangle.single_layer", "derivatives", {"order": 1}),
+    ):
+        elements = np.random.default_rng(1).uniform(size=(2, cageproof.formula(name).corners, 3))
+        if name.startswith("quad"):
+            elements = np.array([[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.5]]])
+        with pytest.raises(cageproof.Error, match=words):
+            cageproof.potentials(name, elements, [[0, 0, 2]], evaluation="batched", **given)
+    with pytest.raises(cageproof.Error, match="all pairs"):
+        cageproof.evaluate("triangle.single_layer", np.eye(3), [0, 0, 2], evaluation="batched")
+
+
 def test_sides():
     face = [[1, -1, -1], [1, 1, -1], [1, 1, 1]]
     on = [[1, 0.25, -0.25]]
@@ -152,6 +211,11 @@ def test_no_copies_and_no_leaks():
     deformer = cage.deformer("green").pose(cage.vertices)
     out = np.empty((5, 3))
     assert deformer.images(array, out=out) is out
+    green = cage.prepare("green")
+    values, gradients = np.empty((5, 20)), np.empty((5, 20, 3))
+    assert green(array, out=values) is values and np.array_equal(values, green(array))
+    found = green(array, 1, out=(values, gradients))
+    assert found[0] is values and found[1] is gradients and np.array_equal(gradients, green(array, 1)[1])
 
     def resident():
         return int(open("/proc/self/statm").read().split()[1])
@@ -222,3 +286,16 @@ def test_second_pose_is_quick(capsys):
     with capsys.disabled():
         print(f" {len(mesh)} points, a further pose: {np.median(times):.1f} ms ", end="")
     assert np.median(times) < 60  # some 6 on a machine with nothing else to do; coordinates anew take ten times as long
+
+
+@pytest.mark.parametrize("name", ["cube", "icosphere", "square"])
+def test_calls_leave_nothing_behind(name):
+    """Memory of earlier calls, of other orders, numbers of points and places, decides no bit."""
+    cage, random = cageproof.Cage.embedded(name), np.random.default_rng(3)
+    prepared = cage.prepare("green")
+    near = cage.vertices[:2] * (1 - 1e-9)
+    for order, count in [(2, 70), (0, 1), (1, 3), (0, 130), (2, 1), (0, 9)]:
+        points = np.vstack([random.uniform(-0.6, 0.6, (count, cage.dimension)), near, cage.vertices[:1]])
+        found, fresh = prepared(points, order), cage.prepare("green")(points, order)
+        for a, b in zip(*((found, fresh) if order else ([found], [fresh]))):
+            assert np.array_equal(a, b, equal_nan=True)

@@ -44,9 +44,10 @@ std::string_view name_of(Owner owner) {
 }
 
 CageElements::CageElements(const Cage& cage, bool keep_quads, Triangulation rule)
-    : dimension_(cage.dimension()), vertices_(cage.vertices()) {
-  Cage::Parts parts = cage.parts(keep_quads, rule);
-  elements_ = std::move(parts.elements);
+    : CageElements(cage.dimension(), cage.vertices(), cage.parts(keep_quads, rule).elements) {}
+
+CageElements::CageElements(int dimension, std::vector<Vec3<double>> vertices, std::vector<Face> elements)
+    : dimension_(dimension), vertices_(std::move(vertices)), elements_(std::move(elements)) {
   for (std::size_t e = 0; e < elements_.size(); ++e)
     normals_.push_back(type(e).extent(of_unit_size(corners(e))).normalized());
   first_corner_.push_back(0);

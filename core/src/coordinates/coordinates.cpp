@@ -90,6 +90,18 @@ CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, C
   prepared_ = whole->prepare(kind, elements_, options, prepare_sum(kind, elements_, plain));
 }
 
+CageCoordinates::CageCoordinates(std::shared_ptr<const CageElements> elements, const CoordinateKind& kind,
+                                 CoordinateOptions options, const Cage& like)
+    : kind_(&kind), elements_(std::move(elements)) {
+  options.parameters = checked_parameters(kind, std::move(options.parameters));
+  CoordinateOptions plain = options;
+  plain.evaluation.clear();
+  const WholeEvaluation* const whole = find_whole_evaluation(options.evaluation, kind, like);
+  if (whole == nullptr)
+    throw InputError(fmt::format("no {} evaluation of {} coordinates", options.evaluation, kind.name));
+  prepared_ = whole->prepare(kind, elements_, options, prepare_sum(kind, elements_, plain));
+}
+
 template <Scalar R>
 std::vector<CoordinateTable<R>> CageCoordinates::at(std::span<const Vec3<R>> points, int order) const {
   auto tables = zero_tables<R>(blocks(), dimension(), points.size(), order);

@@ -8,6 +8,7 @@
 #include "cageproof/core/coordinates/coordinates_in_double.h"
 #include "cageproof/core/lazy.h"
 #include "cageproof/core/parallel.h"
+#include "cageproof/core/reused.h"
 #include "cageproof/core/coordinates/whole_evaluation.h"
 
 #include <algorithm>
@@ -175,18 +176,27 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
     return std::ldexp(factor, (blocks()[b].degree - order) * geometry_.exponent());
   }
 
+  // A thread takes this for one block after another.
+  struct Running {
+    Running(const BatchedCoordinates& of, int order)
+        : request(of.request_for(order)), runner(of.geometry_, *of.elements_, request) {}
+    const Request request;
+    typename Shape::Runner runner;
+    std::vector<Vec3<double>> here;
+    std::vector<long> rows;
+  };
+
   // put(columns, request, the block's points) takes each block; alone(point, its tables) each point that blocks leave
   // out.
   template <class Put, class Alone>
   void over_blocks(std::span<const Vec3<double>> points, int order, Put put, Alone alone) const {
-    const Request request = request_for(order);
     const std::size_t lanes = kernels().lanes, count = (points.size() + lanes - 1) / lanes;
-    const bool sorted = elements_->count() >= kManyFaces && points.size() > lanes;
+    const bool many = elements_->count() >= kManyFaces, sorted = many && points.size() > lanes;
     const std::vector<std::size_t> order_of = sorted ? along_a_curve(points) : std::vector<std::size_t>();
     for_ranges_parallel(count, kChunk, [&](std::size_t begin, std::size_t end) {
-      typename Shape::Runner runner(geometry_, *elements_, request);
-      std::vector<Vec3<double>> here;
-      std::vector<long> rows;
+      auto held = running_[order].taken();
+      if (*held == nullptr) *held = std::make_unique<Running>(*this, order);
+      auto& [request, runner, here, rows] = **held;
       for (std::size_t i = begin; i < end; ++i) {
         here.clear();
         rows.clear();
@@ -199,6 +209,8 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
         for (std::size_t p = 0; left != 0 && p < here.size(); ++p)
           if ((left >> p & 1u) != 0) alone(static_cast<std::size_t>(rows[p]), left_at(here[p], request, runner));
       }
+      // Many faces take little of the time to prepare, and much memory.
+      if (many) (*held).reset();
     });
   }
 
@@ -256,6 +268,8 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
   Lazy<std::shared_ptr<const ClusterTree>> tree_;
   double mu_ = 1;
   Mp200 beta_ = 0;
+  // By order. Calls for a few points would take longer to make one than to compute.
+  mutable std::array<Reused<std::unique_ptr<Running>>, 3> running_;
 };
 
 const RegisterWholeEvaluation registered{

@@ -46,9 +46,9 @@ int cageproof_cage_make(int dimension, const double* vertices, size_t vertices_s
                         size_t corners_size, const int32_t* sizes, size_t faces, cageproof_cage** cage) {
   return c::guarded([&] {
     c::require(cage, "cage");
-    *cage =
+    *cage = c::handed_out(
         new cageproof_cage{cage_of(dimension, c::span_of(vertices, vertices_size, "vertices"),
-                                   c::span_of(corners, corners_size, "corners"), c::span_of(sizes, faces, "sizes"))};
+                                   c::span_of(corners, corners_size, "corners"), c::span_of(sizes, faces, "sizes"))});
   });
 }
 
@@ -56,7 +56,7 @@ int cageproof_cage_read(const char* file, cageproof_cage** cage) {
   return c::guarded([&] {
     c::require(file, "file");
     c::require(cage, "cage");
-    *cage = new cageproof_cage{read_obj(file)};
+    *cage = c::handed_out(new cageproof_cage{read_obj(file)});
   });
 }
 
@@ -64,15 +64,15 @@ int cageproof_cage_embedded(const char* name, cageproof_cage** cage) {
   return c::guarded([&] {
     c::require(name, "name");
     c::require(cage, "cage");
-    *cage = new cageproof_cage{embedded_cage(name)};
+    *cage = c::handed_out(new cageproof_cage{embedded_cage(name)});
   });
 }
 
-void cageproof_cage_free(cageproof_cage* cage) { delete cage; }
+void cageproof_cage_free(cageproof_cage* cage) { c::free_handle(cage); }
 
 int cageproof_cage_check(const cageproof_cage* cage, const cageproof_option* options, size_t count) {
   return c::guarded([&] {
-    c::require(cage, "cage");
+    c::require_handle(cage, "cage");
     c::require_names(c::span_of(options, count, "options"), {"flip_inward", "allow_invalid_quads"});
     checked_cage(cage->cage, c::options_of(options, count));
   });
@@ -80,7 +80,7 @@ int cageproof_cage_check(const cageproof_cage* cage, const cageproof_option* opt
 
 int cageproof_cage_sizes(const cageproof_cage* cage, int* dimension, size_t* vertices, size_t* corners, size_t* faces) {
   return c::guarded([&] {
-    c::require(cage, "cage");
+    c::require_handle(cage, "cage");
     if (dimension != nullptr) *dimension = cage->cage.dimension;
     if (vertices != nullptr) *vertices = cage->cage.vertices.size();
     if (corners != nullptr) *corners = corners_in(cage->cage);
@@ -91,7 +91,7 @@ int cageproof_cage_sizes(const cageproof_cage* cage, int* dimension, size_t* ver
 int cageproof_cage_copy(const cageproof_cage* cage, double* vertices, size_t vertices_size, int32_t* corners,
                         size_t corners_size, int32_t* sizes, size_t faces) {
   return c::guarded([&] {
-    c::require(cage, "cage");
+    c::require_handle(cage, "cage");
     const Cage& from = cage->cage;
     check_size(vertices_size, from.vertices.size(), "vertices");
     check_size(corners_size, corners_in(from), "corners");
@@ -107,6 +107,11 @@ int cageproof_cage_copy(const cageproof_cage* cage, double* vertices, size_t ver
 }
 
 const char* cageproof_cage_warning(const cageproof_cage* cage, size_t index) {
-  return cage != nullptr && index < cage->cage.warnings.size() ? cage->cage.warnings[index].c_str() : nullptr;
+  const char* found = nullptr;
+  c::guarded([&] {
+    c::require_handle(cage, "cage");
+    if (index < cage->cage.warnings.size()) found = cage->cage.warnings[index].c_str();
+  });
+  return found;
 }
 }

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
+#include <map>
+#include <mutex>
 #include <new>
 
 namespace cageproof::library::c {
@@ -27,6 +30,22 @@ int keep(int code, const char* text) noexcept {
   }
   return code;
 }
+
+// Handles that were given out, with their types; without one once they were freed.
+struct Handles {
+  std::mutex mutex;
+  std::map<const void*, std::type_index> types;
+
+  static Handles& all() {
+    // Not destroyed: programs may free handles when they end.
+    static auto* const handles = new Handles;
+    return *handles;
+  }
+  bool has(const void* handle, std::type_index type) const {
+    const auto found = types.find(handle);
+    return found != types.end() && found->second == type;
+  }
+};
 
 int number_of(const char* value, std::string_view name) {
   const std::string_view text = value;
@@ -65,6 +84,39 @@ int guarded(const std::function<void()>& task) noexcept {
 
 void require(const void* pointer, const char* what) {
   if (pointer == nullptr) throw InputError(fmt::format("{}: a null pointer", what));
+}
+
+bool handles_are_watched() {
+#ifdef NDEBUG
+  static const bool watched = std::getenv("CAGEPROOF_CHECK_HANDLES") != nullptr;
+  return watched;
+#else
+  return true;
+#endif
+}
+
+void add_handle(const void* handle, std::type_index type) {
+  Handles& all = Handles::all();
+  const std::lock_guard lock(all.mutex);
+  all.types.insert_or_assign(handle, type);
+}
+
+bool end_handle(const void* handle, std::type_index type) {
+  Handles& all = Handles::all();
+  const std::lock_guard lock(all.mutex);
+  last_error.shown = "";
+  if (!all.has(handle, type)) {
+    keep(CAGEPROOF_BAD_INPUT, "a handle to be freed was freed before, or never made");
+    return false;
+  }
+  all.types.insert_or_assign(handle, typeid(void));
+  return true;
+}
+
+void require_alive(const void* handle, std::type_index type, const char* what) {
+  Handles& all = Handles::all();
+  const std::lock_guard lock(all.mutex);
+  if (!all.has(handle, type)) throw InputError(fmt::format("{}: the handle was freed, or never made", what));
 }
 
 Options options_of(const cageproof_option* options, std::size_t count) {

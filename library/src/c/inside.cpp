@@ -45,20 +45,20 @@ using cageproof::InputError;
 int cageproof_inside_make(const cageproof_cage* cage, int any_mesh, const cageproof_option* options, size_t count,
                           cageproof_inside** inside) {
   return c::guarded([&] {
-    c::require(cage, "cage");
+    c::require_handle(cage, "cage");
     c::require(inside, "inside");
-    *inside = new cageproof_inside{c::places_of(cage->cage, any_mesh != 0, c::span_of(options, count, "options")),
-                                   cage->cage.dimension};
+    *inside = c::handed_out(new cageproof_inside{
+        c::places_of(cage->cage, any_mesh != 0, c::span_of(options, count, "options")), cage->cage.dimension});
   });
 }
 
-void cageproof_inside_free(cageproof_inside* inside) { delete inside; }
+void cageproof_inside_free(cageproof_inside* inside) { c::free_handle(inside); }
 
 int cageproof_inside_points(const cageproof_inside* inside, const double* points, size_t points_size, int threads,
                             int32_t* places, size_t places_size, int32_t* faces, size_t faces_size, double* windings,
                             size_t windings_size, double* bounds, size_t bounds_size) {
   return c::guarded([&] {
-    c::require(inside, "inside");
+    c::require_handle(inside, "inside");
     if (threads < 0) throw InputError(fmt::format("threads: {} is less than 0", threads));
     const auto at = vectors_of(c::span_of(points, points_size, "points"), inside->dimension, "points");
     const auto to_places = c::span_of(places, places_size, "places"), to_faces = c::span_of(faces, faces_size, "faces");

@@ -168,7 +168,18 @@ def check_conan(by_part, library, compiler):
     sys.path.insert(0, str(PROJECT))
     from conanfile import Cageproof
 
+    # Without the packages that have options, which are CMake's.
+    spare = Cageproof()
+    spare.options = types.SimpleNamespace(**dict.fromkeys(Cageproof.options, False))
+    spare.requirements()
+    spare.generate()
+    assert {reference.split("/")[0] for reference in asked["requires"]} == {"boost", "cgal", "eigen", "fmt"}
+    off = {f"CAGEPROOF_{name.upper()}": False for name in Cageproof.options}
+    assert asked["variables"] == {"CAGEPROOF_LIBRARY_ONLY": True, **off} and all(f"option({name} " in LISTING for name in off)
+    asked["requires"].clear()
+    asked["variables"].clear()
     recipe = Cageproof()
+    recipe.options = types.SimpleNamespace(**{name: Cageproof.default_options[name] for name in Cageproof.options})
     recipe.recipe_folder = recipe.source_folder = str(PROJECT)
     recipe.set_version()
     assert recipe.version == VERSION
@@ -181,7 +192,7 @@ def check_conan(by_part, library, compiler):
     for name, least in wanted.items():
         assert not least or given[name] == least, f"conanfile.py: {name} from {given[name]}, and CMake wants {least}"
     assert asked["apt"] == ["librandom123-dev"] and included("Random123")
-    assert asked["variables"] == {"CAGEPROOF_LIBRARY_ONLY": True}
+    assert asked["variables"] == {"CAGEPROOF_LIBRARY_ONLY": True, **dict.fromkeys(off, True)}
     for pattern in recipe.exports_sources:
         assert list(PROJECT.glob(pattern)), f"conanfile.py: no file is {pattern}"
     assert {p.split("/")[0] for p in recipe.exports_sources if p.endswith("/*")} == {*LIBRARY_ROOMS, "cmake"}

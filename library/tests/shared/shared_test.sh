@@ -24,7 +24,7 @@ readelf -d "$library" | grep -oE 'NEEDED.*\[.*\]' | grep -vE 'lib(fmt|nlopt|mpfr
 "$c" -std=c99 -Wall -Wextra -pedantic -Werror -I "$include" "$here/c_interface.c" "$library" -lm -Wl,-rpath,"$(dirname "$library")" -o "$work/c" &&
   "$work/c" || fail "the C interface from C99"
 "$c" -std=c99 -O1 -Wall -Wextra -pedantic -Werror -I "$include" "$here/hostile.c" "$library" -lm -Wl,-rpath,"$(dirname "$library")" -o "$work/hostile" &&
-  "$work/hostile" "${CAGEPROOF_CALLS:-1500}" || fail "hostile calls"
+  CAGEPROOF_CHECK_HANDLES=1 "$work/hostile" "${CAGEPROOF_CALLS:-1500}" || fail "hostile calls"
 "$cxx" -std=c++20 -Wall -Wextra -pedantic -Werror -I "$include" "$here/cpp_interface.cpp" "$library" -Wl,-rpath,"$(dirname "$library")" -o "$work/cpp" &&
   "$work/cpp" || fail "the C++ header"
 # Both faces of the library in one source.

@@ -28,6 +28,8 @@ std::string_view name_of(Owner owner);
 class CageElements {
  public:
   CageElements(const Cage& cage, bool keep_quads, Triangulation rule);
+  /// Elements that need not make up a cage. \pre they have lengths or areas, and all vertices are theirs
+  CageElements(int dimension, std::vector<Vec3<double>> vertices, std::vector<Face> elements);
 
   int dimension() const { return dimension_; }
   const std::vector<Vec3<double>>& vertices() const { return vertices_; }

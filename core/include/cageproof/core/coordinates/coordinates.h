@@ -136,6 +136,12 @@ class CageCoordinates {
                   std::vector<double> parameters = {})
       : CageCoordinates(cage, kind, CoordinateOptions{std::string(evaluation), rule, std::move(parameters)}) {}
 
+  /// A kind's sums over elements that need not make up a cage, by a whole evaluation, which must not rest on relations
+  /// that closed surfaces have. \param like a cage in which the evaluation computes the kind
+  /// \throws InputError where it computes none, and for a parameter out of range \pre the kind is a sum
+  CageCoordinates(std::shared_ptr<const CageElements> elements, const CoordinateKind& kind, CoordinateOptions options,
+                  const Cage& like);
+
   const CoordinateKind& kind() const { return *kind_; }
   /// The cage's elements, quads as triangles unless the kind keeps them.
   const CageElements& elements() const { return *elements_; }
