@@ -19,9 +19,9 @@ part() {
   }
   took="== $name took $((SECONDS - start)) s"$'\n'
   table+=$(printf '%-40s %6s s  %s' "$name" "$((SECONDS - start))" "$verdict")$'\n'
-  # A part says so where something took the place of what it should have used.
-  local instead
-  while read -r instead; do table+="  $instead"$'\n'; done < <(grep '^Instead: ' "$logs/part")
+  # A part says so where something took the place of what it should have used, and CTest which tests it skipped.
+  local noted
+  while read -r noted; do table+="  $noted"$'\n'; done < <(grep -E '^Instead: |^\s+[0-9]+ - .* \(Skipped\)' "$logs/part")
 }
 
 # Says the failures again at the end, because the end is read first. \param 1 `table`: first a line per part, with its time and verdict

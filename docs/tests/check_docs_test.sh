@@ -119,13 +119,18 @@ expect misspelt 1 "no mark is 'long, very'"
 
 page links <<'END'
 # A heading, `twice`
-[there](#a-heading-twice) [not there](#another), [page](no_such_page.md), `docs/no_such_page.md`, `core/src/no_such_source.cpp`, `library/no_such_header.h`
+[there](#a-heading-twice) [not there](#another), [page](no_such_page.md), `docs/no_such_page.md`, `core/src/no_such_source.cpp`, `library/no_such_header.h`,
+`sovled/src/boundary.cpp`, `core/geometry/quad.cpp`, `quad/kernel.cpp`, `NAME/fields.vti`
 END
 expect links 1 'has no heading #another' --links
 expect links 1 'no file no_such_page.md' --links
 expect links 1 'no file `docs/no_such_page.md`' --links
 expect links 1 'no file `core/src/no_such_source.cpp`' --links
 expect links 1 'no file `library/no_such_header.h`' --links
+# A misspelt room; a file whose room is right and whose folder is not.
+expect links 1 'no file `sovled/src/boundary.cpp`' --links
+expect links 1 'no file `core/geometry/quad.cpp`' --links
+grep -qE 'quad/kernel.cpp|fields.vti' "$work/said" && { echo 'FAILED: the end of a path and a report'"'"'s file are taken for broken'; failures=$((failures + 1)); }
 grep -q 'heading #a-heading-twice' "$work/said" && { echo 'FAILED: a heading that exists is not found'; failures=$((failures + 1)); }
 
 page excerpt <<'END'

@@ -2,10 +2,10 @@
 // The first page's heat map and overview: both show any evaluation, from the same data. page.js goes before.
 // An evaluation's cells in a line of the overview, by order: [text, class, address]; null where it has none.
 function cellsOf(data, line, name) {
-  const orders = line.cells[data.evaluations.indexOf(name)];
+  const column = data.evaluations.indexOf(name), orders = line.cells[column];
   if (!orders) return null;
-  const cut = name.lastIndexOf(", "), column = `${name.slice(0, cut)}.${name.slice(cut + 2)}`;
-  return orders.map(([text, css, id], order) => text === undefined ? [] : [text, css, `${line.page}#${id ?? `truth.${line.regime}.${column}.${order}`}`]);
+  const ids = data.ids[line.regime][column];
+  return orders.map(([text, css], order) => text === undefined ? [] : [text, css, `${line.page}#${ids[order]}`]);
 }
 
 // Colours by digits that are right, with the same steps as heat_class of the program.

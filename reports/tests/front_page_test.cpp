@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The first page is clear to someone who opens a report for the first time.
+#include "cageproof/core/catalogue/formula.h"
 #include "cageproof/core/whole_file.h"
+#include "json_value.h"
 #include "page/gallery_page.h"
 #include "page/page_data.h"
 #include "sample_run.h"
@@ -8,6 +10,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 namespace cageproof::reports {
@@ -93,6 +97,42 @@ TEST(FrontPage, CellsLeadToTheirLine) {
     ++cells;
   }
   EXPECT_EQ(cells, 3 * 4 - 1);
+}
+
+// The script shows any evaluation's figures. They lead to cells of the formula's page, also where a name has characters
+// that ids have not.
+TEST(FrontPage, OtherEvaluationsLeadToTheirCells) {
+  RunResult run = sample_run(2, 3);
+  for (ResultRow& row : run.rows)
+    if (row.evaluation == "quads-75") row.evaluation = "quads 75/2";
+  std::erase_if(run.rows, [](const ResultRow& row) { return row.evaluation == "gauss-8" && row.order == 1; });
+  const ScratchFolder scratch;
+  ReportWriter writer(scratch.path() / "report");
+  writer.write(run);
+  writer.commit();
+  const std::string page = read_file(scratch.path() / "report/index.html");
+  const std::string start = "id=\"overview-data\">";
+  const auto first = page.find(start) + start.size();
+  const Json data = Json::parse(page.substr(first, page.find("</script>", first) - first));
+  ASSERT_EQ(data["cells"].size(), 2 * 3);
+  int links = 0;
+  for (std::size_t line = 0; line < data["cells"].size(); ++line) {
+    const ResultRow& of_line = *std::ranges::find_if(
+        run.rows, [&, formula = std::next(catalogue().begin(), line / 3)->name](const ResultRow& row) {
+          return row.subject == formula && row.setting == run.rows[0].setting;
+        });
+    const std::string formula = read_file(scratch.path() / "report" / page_of(of_line));
+    const std::string regime = std::array{"generic", "near-face", "near-edge"}[line % 3];
+    for (const auto& [column, orders] : data["cells"][line].items())
+      for (int order = 0; order < 3; ++order) {
+        if (orders[order].empty()) continue;
+        const std::string id = data["ids"][regime][column][order];
+        EXPECT_NE(formula.find(fmt::format("<a href=\"#{}\">{}", id, orders[order][0].get<std::string>())), page.npos)
+            << id;
+        ++links;
+      }
+  }
+  EXPECT_EQ(links, 2 * 3 * (5 * 3 - 1));
 }
 
 // Rows of one regime that the recommended evaluation lacks.

@@ -10,6 +10,7 @@ from docs_checks.page import code, shown_name
 
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 NAMED = re.compile(r"`([\w./-]+?)(?::\d+)?`")
+SOURCES = (".c", ".cpp", ".h", ".hpp", ".py", ".sh", ".cmake", ".js", ".css", ".mustache", ".md")
 
 
 def anchor(heading: str) -> str:
@@ -39,9 +40,11 @@ def anchors(path: Path) -> set[str]:
 
 
 def exists(name: str, page: Path, root: Path) -> bool:
-    """Whether a file that a page names exists: from the page's folder, from the root, among the pages, or as sources include it (without `include/cageproof`)."""
+    """Whether a file that a page names exists: from the page's folder, from the root, among the pages, as sources include it (without `include/cageproof`), or, unless its first folder is one of the project's, as the end of a source's path."""
     room, _, rest = name.partition("/")
-    return any(path.exists() for path in (page.parent / name, root / name, root / "docs" / name, root / room / "include/cageproof" / room / rest))
+    if any(path.exists() for path in (page.parent / name, root / name, root / "docs" / name, root / room / "include/cageproof" / room / rest)):
+        return True
+    return room not in folders(root) and any(source.endswith("/" + name) for source in sources(root))
 
 
 def broken(page: Path, root: Path) -> list[str]:
@@ -64,11 +67,11 @@ def broken(page: Path, root: Path) -> list[str]:
 
 
 def is_ours(name: str, root: Path) -> bool:
-    """Files of the project begin with one of its folders, or are pages. Others are the user's (my_...), of a report, or written with dots for a part of their name."""
+    """Files of the project begin with one of its folders, or are sources in some folder, or pages. Others are the user's (my_...), of a report, or written with dots for a part of their name."""
     if "my_" in name or "..." in name:
         return False
     first, separator, _ = name.partition("/")
-    return bool(separator and first in folders(root)) or (name.endswith(".md") and not separator and name != "summary.md")
+    return bool(separator and (first in folders(root) or name.endswith(SOURCES))) or (name.endswith(".md") and not separator and name != "summary.md")
 
 
 @cache
@@ -76,3 +79,9 @@ def folders(root: Path) -> frozenset[str]:
     """The project's own folders: those at its top that are neither hidden nor made by a build or a run (.gitignore)."""
     made = {line.strip("/\n") for line in (root / ".gitignore").read_text().splitlines()}
     return frozenset(path.name for path in root.iterdir() if path.is_dir() and not path.name.startswith(".") and path.name not in made)
+
+
+@cache
+def sources(root: Path) -> frozenset[str]:
+    """The paths of the project's sources, from the root."""
+    return frozenset(str(path.relative_to(root)) for folder in folders(root) for path in (root / folder).rglob("*") if path.suffix in SOURCES)

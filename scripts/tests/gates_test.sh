@@ -137,16 +137,19 @@ hunter 'a, promised 64: BROKEN' 0 && expect 2 'exit code 0 and names a broken pr
 hunter 'a, promised 64: BROKEN' 1 && expect 1 'BROKEN' "$root/scripts/hunt_all" 10 "$work/hunt" "$work/hunter"
 hunter 'a, promised 64: kept' 0 && expect 0 'kept' "$root/scripts/hunt_all" 10 "$work/hunt" "$work/hunter"
 
-# Parts of a nightly run end in a table; what took the place of something else is said there.
+# Parts of a nightly run end in a table; what took the place of something else and what was skipped is said there.
+mkdir "$work/skips"
+printf 'add_test(lacking sh -c "exit 77")\nset_tests_properties(lacking PROPERTIES SKIP_RETURN_CODE 77)\n' >"$work/skips/CTestTestfile.cmake"
 cat >"$work/parts" <<END
 set -uo pipefail
 source "$root/.ci/parts.sh"
 part good echo 'Instead: another cage'
+part skips ctest --test-dir "$work/skips"
 part bad false
 finish table
 END
 expect 1 '  Instead: another cage' bash "$work/parts"
-grep -qx '  Instead: another cage' "$work/said" && grep -qxE 'bad +[0-9]+ s  FAILED' "$work/said" || {
+grep -qx '  Instead: another cage' "$work/said" && grep -qxE 'bad +[0-9]+ s  FAILED' "$work/said" && grep -qx '  1 - lacking (Skipped)' "$work/said" || {
   echo "FAILED: the table's lines run together: $(cat "$work/said")"
   failures=$((failures + 1))
 }

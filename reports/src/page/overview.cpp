@@ -41,46 +41,51 @@ Data line_of(const std::string& formula, const std::string& regime, const ErrorT
   return line;
 }
 
-// Cells of every evaluation, by the number of its column: text and class of each order.
-Json cells_of(const ErrorTable& table, const std::string& regime, const std::vector<std::string>& evaluations) {
-  Json cells = Json::object();
+// What the script shows of other evaluations, whose columns it numbers.
+struct OtherCells {
+  std::vector<std::string> evaluations;
+  Json lines = Json::array();  ///< of each line, by the column's number: text and class of each order
+  Json ids = Json::object();   ///< by regime and the column's number: each order's id, the same on all formulas' pages
+
+  void add_line(const ErrorTable& table, const std::string& regime);
+};
+
+void OtherCells::add_line(const ErrorTable& table, const std::string& regime) {
+  Json& line = lines.emplace_back(Json::object());
   for (const Column& column : table.columns) {
-    Json orders = Json::array();
-    bool any = false;
+    const auto place = std::ranges::find(evaluations, name_of(column)) - evaluations.begin();
+    const std::string number = fmt::format("{}", place);
     for (int order = 0; order < 3; ++order) {
       const ResultRow* row = table.at(regime, column, order);
-      any = any || row;
-      orders.push_back(Json::array());
       if (!row) continue;
-      orders.back() = {cell_text(*row), cell_class(*row)};
-      // The script makes the usual id itself; one where names have characters that ids have not is told.
-      const std::string usual = fmt::format("truth.{}.{}.{}.{}", regime, column.evaluation, column.scalar, order);
-      if (const std::string id = cell_id(*row); id != usual) orders.back().push_back(id);
+      if (!line.contains(number)) line[number] = Json::array({Json::array(), Json::array(), Json::array()});
+      line[number][order] = {cell_text(*row), cell_class(*row)};
+      Json& id = ids[regime][number];
+      if (id.is_null()) id = {"", "", ""};
+      id[order] = cell_id(*row);
     }
-    const auto number = std::ranges::find(evaluations, name_of(column)) - evaluations.begin();
-    if (any) cells[fmt::format("{}", number)] = std::move(orders);
   }
-  return cells;
 }
 
 }  // namespace
 
 void set_overview(Data& page, const RunResult& result) {
   Data lines{Data::type::list};
-  std::vector<std::string> evaluations;
-  Json cells = Json::array();
+  OtherCells cells;
   for (const std::string& formula : subjects(result, ResultRow::Section::Element)) {
     const ErrorTable table = truth_table(result, formula);
     if (table.columns.empty()) continue;
     for (const Column& column : table.columns)
-      if (std::ranges::find(evaluations, name_of(column)) == evaluations.end()) evaluations.push_back(name_of(column));
+      if (std::ranges::find(cells.evaluations, name_of(column)) == cells.evaluations.end())
+        cells.evaluations.push_back(name_of(column));
     for (const std::string& regime : table.regimes) {
-      lines << line_of(formula, regime, table, cells.size());
-      cells.push_back(cells_of(table, regime, evaluations));
+      lines << line_of(formula, regime, table, cells.lines.size());
+      cells.add_line(table, regime);
     }
   }
   set_list(page, "overview", lines);
-  page.set("overview_json", script_json({{"evaluations", evaluations}, {"cells", cells}}));
+  page.set("overview_json",
+           script_json({{"evaluations", cells.evaluations}, {"cells", cells.lines}, {"ids", cells.ids}}));
 }
 
 }  // namespace cageproof::reports
