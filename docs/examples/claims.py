@@ -5,37 +5,15 @@ Lengths are divided by the cage's size, the diagonal of its box. docs/claims.md 
 
 import itertools
 import json
-import subprocess
 import sys
 from collections import defaultdict
 from pathlib import Path
 
 import numpy as np
 
-CAGE, POSED, MESH = "my_cage.obj", "my_posed_cage.obj", "my_mesh.obj"
-
-
-def cageproof(*arguments: object) -> str:
-    return subprocess.run(["cageproof", *map(str, arguments)], check=True, capture_output=True, text=True).stderr
-
-
-def vertices(name: str) -> np.ndarray:
-    return np.array([line.split()[1:4] for line in Path(name).read_text().splitlines() if line.startswith("v ")], float)
-
-
-def size(name: str = CAGE) -> float:
-    return float(np.linalg.norm(np.ptp(vertices(name), axis=0)))
-
-
-def images(method: str, points: np.ndarray, posed: object = POSED, cage: str = CAGE, **parameters: object) -> np.ndarray:
-    """The images of points (n x 3) under a method, with its parameters."""
-    if isinstance(posed, np.ndarray):
-        np.savetxt("pose.txt", posed, fmt="%.17g")
-        posed = "pose.txt"
-    np.save("at.npy", points)
-    options = [part for name, value in parameters.items() for part in ("--parameter", f"{name}={value}")]
-    cageproof("deform", "--cage", cage, "--posed", posed, "--points", "at.npy", "--method", method, *options, "--out", "image.npy", "--quiet")
-    return np.load("image.npy")
+import claims_plane
+from claims_appendix import appendix_a
+from claims_tools import CAGE, MESH, POSED, cageproof, figures, images, size, timed, vertices, write_mesh
 
 
 def on_the_cage() -> tuple[np.ndarray, np.ndarray]:
@@ -44,10 +22,6 @@ def on_the_cage() -> tuple[np.ndarray, np.ndarray]:
     triangles = np.load("green.npz")["elements"]
     inside = np.array([(a, b, 1 - a - b) for a in (0.1, 0.3, 0.5, 0.7) for b in (0.1, 0.3, 0.5) if a + b < 0.95])
     return [np.einsum("pk,tkc->tpc", inside, vertices(name)[triangles]).reshape(-1, 3) for name in (CAGE, POSED)]
-
-
-def figures(named: dict[str, float]) -> str:
-    return ", ".join(f"{name} {value:.1e}" if value >= 1e-12 else f"{name} below 1e-12" for name, value in named.items())
 
 
 def rms(difference: np.ndarray) -> float:
@@ -198,9 +172,116 @@ def elastic_held() -> str:
     return figures(found)
 
 
-MEASURES = {"densities": densities, "elastic_held": elastic_held, "follow": follow, "gamma_d": gamma_d, "affine": affine, "similar": similar, "infinite_nu": infinite_nu, "phong": phong, "unity": unity}
+def cube_of(cells: int) -> tuple[np.ndarray, np.ndarray]:
+    """The unit cube, each face in cells x cells squares of two triangles."""
+    points, triangles = [], []
+    square = np.array(list(itertools.product(range(cells + 1), repeat=2))) / cells
+    own = np.arange((cells + 1) ** 2).reshape(cells + 1, -1)
+    a, b, c, d = (x.ravel() for x in (own[:-1, :-1], own[1:, :-1], own[1:, 1:], own[:-1, 1:]))
+    for axis, side in itertools.product(range(3), (0, 1)):
+        first = len(points) * len(square)
+        points.append(np.insert(square, 0, side, axis=1)[:, np.argsort([axis, (axis + 1) % 3, (axis + 2) % 3])])
+        both = first + np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+        triangles.append(both if side else both[:, ::-1])
+    corners, number = np.unique(np.concatenate(points), axis=0, return_inverse=True)
+    return corners, number.reshape(-1)[np.concatenate(triangles)]
+
+
+def body_load() -> dict[str, float]:
+    """How far [C23] Eq 5 is from the displacement (x^2 / 2, 0, 0) of a constant load, from its values at vertices and its tractions at the middles of triangles.
+    The integral of K over the body needs no points inside: K is a / r I - b grad grad r, and 1 / r and grad grad r integrate to layers of the surface."""
+    nu, found = 0.3, {}
+    a = 1 / (4 * np.pi)
+    b = a / (4 * (1 - nu))
+    points = np.array([[0.3, 0.4, 0.6], [0.55, 0.2, 0.35]])
+    np.save("at.npy", points)
+    expected = np.stack([points[:, 0] ** 2 / 2, *np.zeros((2, 2))], axis=1)
+    load = np.array([-(1 + 1 / (1 - 2 * nu)), 0, 0])  # of Eq 1 after its erratum, the sign of the load
+    for cells in (1, 2, 4):
+        corners, triangles = cube_of(cells)
+        write_mesh("cube.obj", corners, triangles)
+        for kind, more in (("biharmonic", ["--order", "1"]), ("somigliana", ["--parameter", f"nu={nu}"])):
+            cageproof("coordinates", "--cage", "cube.obj", "--points", "at.npy", "--kind", kind, *more, "--out", f"{kind}.npz", "--quiet")
+        layers, matrices = np.load("biharmonic.npz"), np.load("somigliana.npz")
+        normals = layers["element_normals"]
+        of_r = 8 * np.pi * np.einsum("pta,tc->pac", layers["psibar_gradient"], normals)
+        of_load = (a * -4 * np.pi * layers["phibar"].sum(axis=1)[:, None, None] * np.eye(3) + b * of_r) @ load
+        moved = np.stack([corners[:, 0] ** 2 / 2, *np.zeros((2, len(corners)))], axis=1)
+        middle = corners[triangles].mean(axis=1)[:, 0]
+        stress = middle[:, None, None] * (2 * nu / (1 - 2 * nu) * np.eye(3) + 2 * np.diag([1, 0, 0]))
+        tractions = np.einsum("tij,tj->ti", stress, normals)
+        without = np.einsum("pvij,vj->pi", matrices["T"], moved) + np.einsum("ptij,tj->pi", matrices["K"], tractions)
+        found[f"{len(triangles)} triangles"] = float(np.abs(without + of_load - expected).max())
+    return found | {"load as printed": float(np.abs(without - of_load - expected).max()), "no load": float(np.abs(without - expected).max())}
+
+
+def boundary_scheme_in_space() -> dict[str, float]:
+    """[W12]'s scheme in a cube: Laplacians at vertices and their slopes on triangles from a biharmonic function's values at vertices and its slopes, at three
+    places per triangle by least squares. How far it is from the function at three points inside."""
+    def function(p: np.ndarray) -> np.ndarray:
+        return (p**2).sum(axis=1) * (p[:, 0] * p[:, 1] + p[:, 2])
+
+    def gradient(p: np.ndarray) -> np.ndarray:
+        x, y, z = p.T
+        return 2 * p * (x * y + z)[:, None] + (p**2).sum(axis=1)[:, None] * np.stack([y, x, np.ones_like(x)], axis=1)
+
+    inside, found = np.array([[0.3, 0.4, 0.6], [0.55, 0.2, 0.35], [0.5, 0.5, 0.5]]), {}
+    for cells in (1, 2, 4):
+        corners, triangles = cube_of(cells)
+        write_mesh("cube.obj", corners, triangles)
+        shares = np.full((3, 3), 0.1875) + 0.4375 * np.eye(3)  # dyadic, so that places are exactly on the cube
+        places = np.einsum("qk,tkc->tqc", shares, corners[triangles]).reshape(-1, 3)
+        hats = np.zeros((len(places), len(corners)))
+        np.put_along_axis(hats, np.repeat(triangles, 3, axis=0), np.tile(shares, (len(triangles), 1)), axis=1)
+        np.save("at.npy", np.concatenate([places, inside]))
+        cageproof("coordinates", "--cage", "cube.obj", "--points", "at.npy", "--kind", "biharmonic", "--out", "c.npz", "--quiet")
+        layers = np.load("c.npz")
+        phi, psi, phibar, psibar = (layers[name][: len(places)] for name in ("phi", "psi", "phibar", "psibar"))
+        values, slopes = function(corners), np.einsum("tc,tc->t", gradient(corners[triangles].mean(axis=1)), layers["element_normals"])
+        equations = np.block([[phi - hats, psi], [phibar, psibar]])
+        right = np.concatenate([np.zeros(len(places)), (hats - phi) @ values - psi @ slopes])
+        solved = np.linalg.lstsq(equations, right, rcond=None)[0]
+        at = np.concatenate([layers[name][len(places):] for name in ("phi", "psi", "phibar", "psibar")], axis=1)
+        found[f"{len(triangles)} triangles"] = float(np.abs(at @ np.concatenate([values, slopes, solved]) - function(inside)).max())
+    return found
+
+
+def seconds_of_poses(poses: int, *arguments: object) -> tuple[float, float]:
+    """Processor time of deform on one thread: for a cage, its points and one pose, and for each further pose."""
+    def run(count: int) -> float:
+        posed = [part for _ in range(count) for part in ("--posed", "pose.txt")]
+        return timed("deform", *arguments, *posed, "--points", "at.npy", "--out", "film.mdd", "--jobs", "1", "--quiet")
+
+    first = min(run(1), run(1))
+    return first, (run(1 + poses) - first) / poses
+
+
+def frames_of_the_plane() -> str:
+    """A polygon of 100 edges, and 1,000 points of a drawing."""
+    angle = 2 * np.pi * np.arange(100) / 100
+    corners = np.stack([np.cos(angle), np.sin(angle)], axis=1) * (1 + 0.2 * np.cos(5 * angle))[:, None]
+    claims_plane.write_polygon(corners.tolist())
+    np.savetxt("pose.txt", corners * (1.2, 0.9))
+    np.save("at.npy", 0.7 * np.random.default_rng(0).uniform(-0.7, 0.7, (1000, 2)))
+    first, next_ = seconds_of_poses(1000, "--cage", "polygon.obj", "--method", "biharmonic_boundary", "--parameter", "pieces=1")
+    return f"first {first:.1e} s, further {next_:.1e} s"
+
+
+def frames_in_space() -> str:
+    """A sphere of 80 triangles, and 39,028 points, as many as the model of [C23] has."""
+    cageproof("list", "--cage", "icosphere", "--out", "sphere.obj")
+    np.savetxt("pose.txt", vertices("sphere.obj") * (1.2, 0.9, 1))
+    np.save("at.npy", 0.4 * np.random.default_rng(0).uniform(-1, 1, (39028, 3)))
+    first, next_ = seconds_of_poses(10, "--cage", "sphere.obj", "--method", "somigliana")
+    return f"first {first:.1e} s, further {next_:.1e} s"
+
+
+MEASURES = {"densities": densities, "elastic_held": elastic_held, "follow": follow, "gamma_d": gamma_d, "affine": affine, "similar": similar,
+            "infinite_nu": infinite_nu, "phong": phong, "unity": unity, "appendix_a": appendix_a, "body_load": body_load, "boundary_scheme_in_space": boundary_scheme_in_space,
+            "frames_of_the_plane": frames_of_the_plane, "frames_in_space": frames_in_space} | claims_plane.MEASURES
 
 if __name__ == "__main__":
     if len(sys.argv) != 2 or sys.argv[1] not in MEASURES:
         sys.exit(f"usage: python3 claims.py NAME, NAME one of {', '.join(MEASURES)}")
-    print(MEASURES[sys.argv[1]]())
+    measured = MEASURES[sys.argv[1]]()
+    print(measured if isinstance(measured, str) else figures(measured))

@@ -105,16 +105,19 @@ def setup(lines: list[str]) -> str:
 
 
 def same_figures(said: str, printed: str) -> bool:
-    """Whether words agree, and numbers to a tenth."""
+    """Whether words agree, numbers to a tenth, and times, which the unit s follows, within a factor of ten: sanitizers take three times as long."""
     a, b = (re.split(r"[, ]+", text.strip()) for text in (said, printed))
 
-    def alike(x: str, y: str) -> bool:
+    def alike(x: str, y: str, unit: str) -> bool:
         try:
-            return math.isclose(float(x), float(y), rel_tol=0.1)
+            numbers = float(x), float(y)
         except ValueError:
             return x == y
+        if unit == "s":
+            return max(numbers) < 10 * min(numbers)
+        return math.isclose(*numbers, rel_tol=0.1)
 
-    return len(a) == len(b) and all(alike(x, y) for x, y in zip(a, b))
+    return len(a) == len(b) and all(alike(x, y, unit) for x, y, unit in zip(a, b, [*a[1:], ""]))
 
 
 def run_command(command: str, before: str, environment: dict[str, str]) -> subprocess.CompletedProcess:
