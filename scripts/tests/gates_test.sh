@@ -119,8 +119,32 @@ fi
 # A build without ninja's records tells nothing of included files.
 if command -v ninja >/dev/null; then
   mkdir "$work/build"
-  printf 'rule c\n  command = touch $out\nbuild closed_form/one.o: c\nbuild cageproof: c closed_form/one.o\n' >"$work/build/build.ninja"
+  printf 'rule c\n  command = touch $out\nbuild closed_form/closed_form.o: c\nbuild cageproof: c closed_form/closed_form.o\n' >"$work/build/build.ninja"
   expect 2 'no valid record' "$root/scripts/check_rooms" "$work/build"
+  # A project whose objects are made of records only.
+  cp "$root/scripts/check_rooms" scripts
+  mkdir -p closed_form/src quadrature_ref/src quadrature_ref/include validation/second_routes core/include core/readers
+  record() {
+    printf 'rule c\n  command = echo "$out: $includes" >$out.d; touch $out\n  depfile = $out.d\n  deps = gcc\n'
+    printf 'build closed_form/closed_form.o: c\n  includes = %s\n' "$1"
+    printf 'build quadrature_ref/quadrature_ref.o: c\nbuild validation/second_routes.o: c\n'
+    printf 'build cageproof: c closed_form/closed_form.o quadrature_ref/quadrature_ref.o validation/second_routes.o\n'
+  }
+  rooms() {
+    record "$1" >"$work/build/build.ninja"
+    ninja -C "$work/build" cageproof >/dev/null && scripts/check_rooms "$work/build"
+  }
+  boost=/usr/include/boost/math/quadrature/gauss.hpp
+  expect 0 'has no rule' rooms ''
+  expect 1 "closed_form.o includes $boost" rooms "$boost"
+  printf '#include <boost/math/quadrature/gauss.hpp>\n' >closed_form/src/unused.h
+  expect 1 "closed_form/src/unused.h includes $boost" rooms ''
+  rm closed_form/src/unused.h
+  printf 'auto on = type_of(kind).contact(corners, point);\n' >quadrature_ref/src/on.cpp
+  expect 1 'quadrature_ref/src/on.cpp:1' rooms ''
+  printf 'bool none = row.degenerate(corners);\n' >quadrature_ref/src/on.cpp
+  expect 1 'quadrature_ref/src/on.cpp:1' rooms ''
+  rm quadrature_ref/src/on.cpp
 fi
 
 expect 2 'names no formula' "$root/scripts/hunt_all" 10 "$work/hunt" /bin/false
