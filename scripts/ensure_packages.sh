@@ -75,7 +75,7 @@ python3-vtk9             looks at the picture of a field's page
 LIST
 }
 
-# What scripts/check_neon.sh and `scripts/check_alone arm` need beside that.
+# Packages that only scripts/check_neon.sh and `scripts/check_alone arm` need.
 arm_alone() {
   cat <<'LIST'
 g++-aarch64-linux-gnu    compiles for AArch64, and has its standard library, which clang-16 takes too

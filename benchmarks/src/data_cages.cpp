@@ -21,7 +21,7 @@ std::vector<std::shared_ptr<const DeformedCage>> cages_in(const std::filesystem:
     if (std::filesystem::exists(folder / (name + ".obj"))) names.push_back(std::move(name));
   }
   if (names.empty())
-    throw InputError(fmt::format("{}: no cage X_Cage.obj with a mesh X.obj beside it", folder.string()));
+    throw InputError(fmt::format("{}: no cage X_Cage.obj with a mesh X.obj next to it", folder.string()));
   std::ranges::sort(names);
   std::vector<std::shared_ptr<const DeformedCage>> found;
   found.reserve(names.size());

@@ -81,7 +81,7 @@ CAGEPROOF_INLINE void layers(const GaussTask& task, const GaussTriangle& t, cons
 }
 
 // x is affine in the hat functions, x = sum_l G_l x_l, so that all of K and T follows from the integrals of
-// G_k G_l / r^3, G_k G_l G_m / r^5 and 1/r: seventeen sums a node instead of 36.
+// G_k G_l / r^3, G_k G_l G_m / r^5 and 1/r: seventeen sums per node instead of 36.
 CAGEPROOF_INLINE void somigliana(const GaussTask& task, const GaussTriangle& t, const Vector* eta, double* sums) {
   Vector inverses{}, pairs[6]{}, triples[10]{};
   const double* y = task.positions;
@@ -143,7 +143,7 @@ CAGEPROOF_INLINE void place(const GaussTask& task, const GaussTriangle& t) {
     for (int c = 0; c < 3; ++c) *to++ = hat[0] * t.corners[0][c] + hat[1] * t.corners[1][c] + hat[2] * t.corners[2][c];
 }
 
-// Nodes are placed once a triangle, for all points of the block.
+// Nodes are placed once per triangle, for all points of the block.
 CAGEPROOF_INLINE void on_vectors(const GaussTask& task) {
   const int entries = gauss_entries(task), vectors = task.points / gauss_lanes;
   for (const GaussTriangle* t = task.triangles; t != task.triangles + task.triangle_count; ++t) {

@@ -44,7 +44,7 @@ struct GaussTask {
   /// Zero at first; phi, psi, phibar, psibar or T, K one after the other: [coordinate][entry], on vectors
   /// [vector][coordinate][entry][lane], plainly [point][coordinate][entry].
   double* sums;
-  double* positions;  ///< memory for three numbers a node
+  double* positions;  ///< memory for three numbers per node
 };
 
 /// Numbers a point.

@@ -66,8 +66,7 @@ std::vector<const validation::Regime*> regimes_named(const std::vector<std::stri
   for (const std::string& list : lists) {
     for (const std::string& name : names_in(list))
       if (name == validation::hull_regime || name == validation::hunted_regime)
-        throw InputError(
-            fmt::format("regime '{}': `verify` alone has it; others are {}", name, fmt::join(known, ", ")));
+        throw InputError(fmt::format("regime '{}': only `verify` has it; others are {}", name, fmt::join(known, ", ")));
     require_known("regime", list, known);
     for (const std::string& name : names_in(list))
       for (const validation::Regime& regime : validation::regimes())
@@ -136,7 +135,7 @@ int run(Arguments& a) {
 }  // namespace
 
 void add_bench(CommandLine& line, const std::string& command_line) {
-  Command command = line.command("bench", "work-precision: time and error of evaluations side by side");
+  Command command = line.command("bench", "measure time and error of evaluations side by side");
   auto a = std::make_shared<Arguments>();
   a->command_line = command_line;
   Command what = command.exactly_one_of("Subject");
@@ -156,48 +155,51 @@ void add_bench(CommandLine& line, const std::string& command_line) {
               std::string(y_of_points))
       .taking("FILE")
       .excludes(formula);
-  command.option("--regime,--regimes", a->regimes, "of a formula's samples")
+  command.option("--regime,--regimes", a->regimes, "regimes of a formula's samples")
       .taking("REGIMES")
       .excludes(kind)
       .excludes(coordinates)
       .showing_default("generic,near-face");
   command
       .option("--evaluations,--evaluation", a->options.evaluations,
-              "what is compared; without: rules coarse to fine, the recommended evaluation, batched of a kind, "
-              "printed forms")
+              "evaluations to compare; if not given, rules from coarse to fine, the recommended evaluation, printed "
+              "forms, and batched for a kind")
       .taking("EVALUATIONS");
-  command.option("--parameter", a->parameters, "nu=..., pieces=...").taking("NAME=VALUE").excludes(coordinates);
-  command.option("--order", a->options.order, "of a formula: 0 value, 1 gradient, 2 Hessian")
+  command.option("--parameter", a->parameters, "a parameter of the formula or kind, such as nu=... or pieces=...")
+      .taking("NAME=VALUE")
+      .excludes(coordinates);
+  command.option("--order", a->options.order, "derivative order of a formula: 0 value, 1 gradient, 2 Hessian")
       .in_range(0, 2)
       .excludes(kind)
       .excludes(coordinates);
   command
       .option("--samples", a->options.samples,
-              "a distance or regime, of random points; those of --points are all taken")
+              "number of random points per distance or regime; those of --points are all taken")
       .in_range(1, 1000000)
       .showing_default();
-  command.option("--seed", a->options.seed, "of all samples").showing_default();
+  command.option("--seed", a->options.seed, "seed of all samples").showing_default();
   command
       .flag("--by-parameter", a->options.by_parameter,
-            "a formula's errors at each distance (or what else the regime sweeps) by themselves")
+            "one row for each distance, or other parameter that the regime sweeps, of a formula's errors")
       .excludes(kind)
       .excludes(coordinates);
-  command.flag("--relative", a->options.relative, "a formula's relative instead of conditioned errors")
+  command.flag("--relative", a->options.relative, "relative instead of conditioned errors of a formula")
       .excludes(kind)
       .excludes(coordinates);
-  command.option("--timed", a->options.timed, "pairs timed, an evaluation and place, each by itself")
+  command.option("--timed", a->options.timed, "number of pairs that are timed one by one, per evaluation and place")
       .in_range(1, 10000000)
       .showing_default();
   command
       .option("--seconds", a->options.seconds,
-              "spent on pairs beyond the first 64, an evaluation and place; of whole coordinates, timed at least")
+              "time limit for pairs beyond the first 64, per evaluation and place; for --coordinates the least time "
+              "that is measured")
       .in_range(0.0, 3600.0)
       .showing_default();
   command.option("--jobs", a->options.jobs, "threads for the errors; 0: one per core")
       .in_range(0, 1024)
       .showing_default();
   a->judge.add_to(command);
-  command.flag("--csv", a->csv, "as CSV");
+  command.flag("--csv", a->csv, "print CSV");
   command.option("--out", a->out, "a folder for CSV, JSON and pictures").taking("FOLDER");
   command.example("cageproof bench --formula triangle.kelvin_traction --regime near-face --order 1");
   command.example("cageproof bench --kind green --cage torus --out green-times");

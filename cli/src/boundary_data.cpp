@@ -57,7 +57,7 @@ BoundaryData read_boundary_data(const std::filesystem::path& file, const CageCoo
     const auto numbers = numbers_of(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (!numbers && number == 1) continue;
-    if (!numbers) throw InputError(fmt::format("{}:{}: a line of finite numbers is wanted", file.string(), number));
+    if (!numbers) throw InputError(fmt::format("{}:{}: not a line of finite numbers", file.string(), number));
     if (numbers->empty()) continue;
     if (data.functions == 0) data.functions = numbers->size();
     if (numbers->size() != data.functions)

@@ -38,7 +38,8 @@ Option CageArguments::add_to(Command command, bool required) {
                             "an embedded cage")
                     .required(required)
                     .taking("CAGE");
-  command.flag("--flip-inward", flip_inward, "turn a cage whose normals point inward, a polygon that runs clockwise");
+  command.flag("--flip-inward", flip_inward,
+               "reverse a cage whose normals point inward, or a polygon that runs clockwise");
   command
       .option("--merge", merge,
               "join vertices of the cage's file that lie within this distance of each other, in its unit of length; "
@@ -53,7 +54,7 @@ Option CageArguments::add_to(Command command, bool required) {
 }
 
 CageArguments::Merged CageArguments::load_merged() const {
-  if (merge < 0) throw InputError(fmt::format("--merge {}: a distance is 0 or more", merge));
+  if (merge < 0) throw InputError(fmt::format("--merge {}: a distance must be 0 or more", merge));
   const auto names = embedded_cage_names();
   if (is_embedded_cage(file)) return {embedded_cage(file), std::nullopt};
   if (std::filesystem::path(file).extension().empty() && !std::filesystem::exists(file)) {

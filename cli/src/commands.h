@@ -77,7 +77,7 @@ std::vector<std::vector<double>> parameter_sets_from(const std::vector<std::stri
 
 /// Addition to the help of points: y of polygons.
 inline constexpr std::string_view y_of_points =
-    "; y points up: beside a cage from an SVG, whose y points down, a point has minus the drawing's y";
+    "; y points up, so a point for a cage from an SVG has minus the drawing's y";
 
 /// Points, with faces if the file has any: a mesh file, or text.
 /// \param dimension of the cage that they are for: in the plane third numbers must be zero

@@ -127,8 +127,8 @@ int run(const Arguments& a) {
 
 void add_compare(CommandLine& line) {
   Command command = line.command("compare",
-                                 "figures and verdicts that differ between two reports or journals; exit 1 when any "
-                                 "does, or with --tolerance when any got worse");
+                                 "print figures and verdicts that differ between two reports or journals; exit 1 when "
+                                 "any does, or with --tolerance when any got worse");
   auto a = std::make_shared<Arguments>();
   command
       .option("old", a->before,
@@ -151,7 +151,7 @@ void add_compare(CommandLine& line) {
       .showing_default();
   command.option("--junit", a->junit, "JUnit's XML").taking("FILE");
   command.option("--history", a->history, "append a JSON line: date, commit and figures of the new run").taking("FILE");
-  command.option("--commit", a->commit, "the commit of that line, in place of what the run says").taking("NAME");
+  command.option("--commit", a->commit, "the commit in that line; if not given, the run's").taking("NAME");
   command.option("--badge", a->badges, "endpoint JSON for shields.io (.json), or a picture (.svg); may be repeated")
       .taking("FILE")
       .one_at_a_time();

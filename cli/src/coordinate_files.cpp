@@ -136,7 +136,7 @@ void check_coordinate_files(const std::filesystem::path& out,
   const std::string_view mark = extension == ".vtp" ? reports::metadata_array : coordinates_schema;
   if (read_file(companion).find(mark) == std::string::npos)
     throw InputError(fmt::format(
-        "{}: stands where the description beside {} goes, and is no such description; choose another --out, or move it",
+        "{}: the description of {} goes to this file, which is no such description; choose another --out, or move it",
         companion.string(), out.string()));
 }
 

@@ -57,8 +57,8 @@ void tell_solved(const CageCoordinates& coordinates) {
       remark(fmt::format("  meets its data on the boundary to {:.2g}{}", s.boundary_values,
                          with_gradients ? fmt::format(", gradients to {:.2g}", s.boundary_gradients) : ""));
       if (s.boundary_values > kMetData)
-        warn(fmt::format("{}: the data on the boundary are met to {:.2g} alone, and values inside are no better",
-                         s.name, s.boundary_values));
+        warn(fmt::format("{}: the data on the boundary are met only to {:.2g}, and values inside are no better", s.name,
+                         s.boundary_values));
     } else if (s.is_singular())
       warn(fmt::format("{}: the system is singular: its rank is {}, not {}; the least solution is taken", s.name,
                        s.rank, s.columns));
@@ -251,7 +251,7 @@ std::string names_of_kinds() {
 }  // namespace
 
 void add_coordinates(CommandLine& line) {
-  Command command = line.command("coordinates", "coordinates of points in a cage");
+  Command command = line.command("coordinates", "compute coordinates of points in a cage");
   auto a = std::make_shared<Arguments>();
   command.heading("Cage and points");
   a->cage.add_to(command, true);
@@ -265,10 +265,10 @@ void add_coordinates(CommandLine& line) {
   command.heading("Coordinates");
   command.option("--kind", a->kind, names_of_kinds()).taking("KIND").required();
   command.flag("--keep-quads", a->keep_quads,
-               "quads stay bilinear surfaces: --kind green is quad_green then, and so are mean_value, biharmonic and "
-               "somigliana");
+               "keep quads as bilinear surfaces: --kind green becomes quad_green, and likewise mean_value, biharmonic "
+               "and somigliana");
   command.flag("--allow-invalid-quads", a->cage.allow_invalid_quads,
-               "compute with quads that are not valid, of kinds that keep quads");
+               "compute with quads that are not valid; for kinds that keep quads");
   command
       .option("--parameter", a->parameters,
               "mu=..., nu=... of somigliana (nu in (-1, 0.5] or inf or -inf), nu=... of elastic; pieces=1 ... 64, "
@@ -277,9 +277,8 @@ void add_coordinates(CommandLine& line) {
       .taking("NAME=VALUE");
   command
       .option("--evaluation", a->evaluation,
-              "how they are computed: batched, or an evaluation of its formulas (closed_form ...); batched by default "
-              "where "
-              "the kind has it, else as recommended")
+              "batched, or an evaluation of the kind's formulas, such as closed_form; if not given, batched if the "
+              "kind has it, otherwise the recommended one")
       .taking("EVALUATION");
   a->judge.add_to(command);
   command.option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians").in_range(0, 2).showing_default();
@@ -290,20 +289,19 @@ void add_coordinates(CommandLine& line) {
               "next to it a .json that describes them), or .vtp (and next to it the cage as .cage.vtp); CSV on "
               "standard output if not given")
       .taking("FILE");
-  Option data = command.option(
-      "--data", a->data,
-      "text, a line of numbers a coordinate: writes the functions that coordinates make of them instead");
+  Option data = command.option("--data", a->data,
+                               "text with one line of numbers per coordinate: write the functions that the coordinates "
+                               "interpolate, one per column, instead of coordinates");
   add_dropping(command, a->dropping, data.taking("FILE"));
   command
       .option("--solved", a->solved,
-              "a JSON file for what was solved: rank, condition and residual of each system; or .npz, of kinds named "
-              "regularised_...: its matrices")
+              "a JSON file for rank, condition and residual of each solved system; or an .npz for the matrices of "
+              "kinds named regularised_...")
       .taking("FILE");
   command.heading("Running");
-  command.flag(
-      "--strict", a->strict,
-      "exit with 1 where a point has no finite coordinates or derivatives, lies where they sum to zero, or is not "
-      "given back to 8 digits");
+  command.flag("--strict", a->strict,
+               "exit with 1 if a point has no finite coordinates or derivatives, lies where they sum to zero, or is "
+               "not reproduced to 8 digits");
   command.option("--jobs", a->jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();
   add_quiet(command);
   command.runs([a] { return run(*a); });

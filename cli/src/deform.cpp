@@ -150,7 +150,8 @@ std::vector<std::string_view> methods_that_extend() {
 void require_digits_served(const DeformArguments& a, const Chosen& chosen) {
   if (a.digits == 0) return;
   if (chosen.name != "green")
-    throw InputError(fmt::format("--digits: {} has all digits only; there is green", chosen.name));
+    throw InputError(
+        fmt::format("--digits: {} always computes all digits; leave --digits out, or take green", chosen.name));
   if (a.order > 0) throw InputError("--digits: derivatives have all digits only; --order 0 leaves them out");
   if (a.stress.asked()) throw InputError("--digits: --stress takes derivatives, which have all digits only");
   if (a.outside == "extend") throw InputError("--digits: --outside extend has all digits only");
@@ -322,13 +323,14 @@ std::string names_of_methods() {
 }  // namespace
 
 void add_deform(CommandLine& line) {
-  Command command = line.command("deform", "a mesh deformed by a posed cage, or by constraints");
+  Command command = line.command("deform", "deform a mesh by a posed cage, or by constraints");
   auto a = std::make_shared<DeformArguments>();
   Command pose = command.exactly_one_of("The pose");
-  pose.option("--posed", a->posed, "the cage's vertices elsewhere: a mesh, text, or an embedded cage; repeats")
+  pose.option("--posed", a->posed,
+              "the posed cage: a mesh, text, or an embedded cage with the cage's vertices in the same order; may be "
+              "repeated")
       .taking("CAGE");
-  pose.option("--constraints", a->constraints,
-              "JSON: what is asked of the map at points, of methods without a posed cage")
+  pose.option("--constraints", a->constraints, "JSON with points and their targets, for methods without a posed cage")
       .taking("FILE");
   command.heading("Cage and points");
   a->cage.add_to(command, true);
@@ -340,43 +342,45 @@ void add_deform(CommandLine& line) {
       .required();
   command
       .option("--outside", a->outside,
-              "points without image: an error, left at rest, or nan; extend: through the nearest face, of green")
+              "what becomes of points without image: an error; rest: they stay; nan; extend: they follow the nearest "
+              "face (green only)")
       .one_of({"error", "rest", "nan", "extend"})
       .showing_default();
   add_on(command, a->on);
-  command.flag("--strict", a->strict,
-               "refuse a posed cage whose faces are not the cage's, of which a warning tells otherwise");
+  command.flag("--strict", a->strict, "refuse a posed cage whose faces are not the cage's, instead of a warning");
   command.heading("Method");
   command.option("--method", a->method, names_of_methods()).taking("METHOD").required();
   command.flag("--keep-quads", a->keep_quads,
-               "quads stay bilinear surfaces: --method green is quad_green then, and so are mean_value, biharmonic_1_3 "
-               "and somigliana");
+               "keep quads as bilinear surfaces: --method green becomes quad_green, and likewise mean_value, "
+               "biharmonic_1_3 and somigliana");
   command
       .option("--parameter", a->parameters,
-              "the method's, NAME=VALUE, or several values for as many maps, NAME=VALUE,VALUE; `list` names them")
+              "a parameter of the method; several values, NAME=VALUE,VALUE, make as many maps; `list` names all")
       .taking("NAME=VALUE");
   command
       .option("--evaluation", a->evaluation,
-              "how coordinates are computed: batched, or an evaluation of their formulas; batched by default where "
-              "there is "
-              "such a one, else as recommended")
+              "batched, or an evaluation of the coordinates' formulas; if not given, batched where it exists, "
+              "otherwise the recommended one")
       .taking("EVALUATION");
   command
       .option("--digits", a->digits,
-              "of images, of the posed cage's size: far faces are summed together where that is quicker, and the error "
-              "is stated; of green; all digits by default")
+              "digits of images, relative to the posed cage's size, for green: far faces are summed together where "
+              "that is quicker, and the error's bound is stated; if not given, all digits")
       .in_range(3, 12)
       .taking("N");
   command
       .option("--normal-derivatives", a->data.normal_derivatives,
-              "text, three numbers per line, for polygons two; one line per triangle or segment (neumann=affine: per "
-              "corner of each), of kept quads per corner: normal derivatives in place of posed normals")
+              "normal derivatives in place of posed normals: text with three numbers per line, for polygons two; one "
+              "line per triangle or segment, with neumann=affine and on kept quads one per corner")
       .taking("FILE");
-  command.option("--laplacians", a->data.laplacians, "the same, one line per vertex: densities of biharmonic_direct")
+  command
+      .option("--laplacians", a->data.laplacians,
+              "Laplacians for biharmonic_direct: text with one line of numbers per vertex")
       .taking("FILE");
   command
       .option("--laplacian-derivatives", a->data.laplacian_derivatives,
-              "the same, one line per triangle or segment: densities of biharmonic_direct")
+              "normal derivatives of the Laplacian for biharmonic_direct: text with one line of numbers per triangle "
+              "or segment")
       .taking("FILE");
   command.heading("Output");
   command
@@ -387,17 +391,21 @@ void add_deform(CommandLine& line) {
           ".json beside it, for all maps, says what was done")
       .taking("FILE")
       .required();
-  command.option("--frame-rate", a->frame_rate, "frames a second, of .mdd")
+  command.option("--frame-rate", a->frame_rate, "frames per second of an .mdd file")
       .in_range(1e-3, 1e6)
       .showing_default(fmt::format("{}", usual_rate));
-  command.option("--order", a->order, "1: Jacobians, 2: Hessians, too").in_range(0, 2).showing_default();
-  command.option("--derivatives", a->derivatives, ".csv, .npy or .vtp, beside a mesh file").taking("FILE");
+  command.option("--order", a->order, "0: images only; 1: also Jacobians; 2: also Hessians")
+      .in_range(0, 2)
+      .showing_default();
+  command.option("--derivatives", a->derivatives, "file for derivatives, .csv, .npy or .vtp, if --out is a mesh")
+      .taking("FILE");
   add_stress(command, a->stress);
-  command.option("--energies", a->energies, ".csv or .png: of methods that iterate, the energy at every half step")
+  command.option("--energies", a->energies, ".csv or .png: the energy at every half step, for methods that iterate")
       .taking("FILE");
   command
       .option("--solved", a->solved,
-              "an .npz of what multiplies the four layers, of biharmonic methods: V, N, L, D (maps x rows x dimension)")
+              "an .npz of the densities of biharmonic methods, the factors of the four layers: V, N, L, D (maps x rows "
+              "x dimension)")
       .taking("FILE");
   command.heading("Running");
   command.option("--jobs", a->jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();

@@ -52,9 +52,9 @@ void check_distinct(const DeformArguments& a, std::size_t maps) {
   const std::filesystem::path report = report_file(a, maps);
   write(report, "the .json beside --out");
   if (std::filesystem::exists(report) && read_file(report).find(deformation_schema) == std::string::npos)
-    throw InputError(fmt::format(
-        "{}: stands where the report beside {} goes, and is no such report; choose another --out, or move it",
-        report.string(), in_one || maps > 1 ? a.out : numbered(a.out, 1)));
+    throw InputError(
+        fmt::format("{}: the report on {} goes to this file, which is no such report; choose another --out, or move it",
+                    report.string(), in_one || maps > 1 ? a.out : numbered(a.out, 1)));
   for (std::size_t k = 1; k <= maps; ++k) {
     if (!in_one) write(numbered(a.out, k), "--out");
     if (!a.derivatives.empty()) write(numbered(a.derivatives, k), "--derivatives");
@@ -142,7 +142,7 @@ void check_names(const DeformArguments& a, std::size_t maps) {
   if (a.order > 0 && places_only && a.derivatives.empty())
     throw InputError(fmt::format("--order {}: '{}' files hold no derivatives; --derivatives FILE takes them", a.order,
                                  extension_of(a.out)));
-  if (a.order == 0 && !a.derivatives.empty()) throw InputError("--derivatives: --order says which, 1 or 2");
+  if (a.order == 0 && !a.derivatives.empty()) throw InputError("--derivatives needs --order 1 or 2");
   check_numbers(a, maps);
   if (places_only && a.outside == "nan")
     throw InputError(fmt::format("--outside nan: '{}' files hold no nan; use {}", extension_of(a.out),

@@ -44,28 +44,29 @@ int print_help(const CommandLine& line, const std::string& command) {
 
 void add_descriptions(CommandLine& line) {
   auto a = std::make_shared<Arguments>();
-  Command help = line.command("help", "what --help prints, of the program or of a command");
+  Command help = line.command("help", "print the help of the program or of a command");
   help.example("cageproof help deform");
   help.runs([a, &line] { return print_help(line, a->command); });
-  Command version = line.command("version", "what --version prints: version and commit");
+  Command version = line.command("version", "print version and commit");
   version.runs([&line] {
     std::cout << line.version() << '\n';
     return success;
   });
-  Command manual = line.command("man", "this manual, as a page for man, or as Markdown");
-  manual.flag("--markdown", a->markdown, "as docs/command_line.md has it");
+  Command manual = line.command("man", "print this manual, as a page for man or as Markdown");
+  manual.flag("--markdown", a->markdown, "Markdown, as in docs/command_line.md");
   manual.option("--out", a->out, "a file for it, instead of standard output").taking("FILE");
   manual.example("cageproof man | man -l -");
   manual.runs([a, &line] {
     const ProgramText program = line.describe();
     return write(a->out, a->markdown ? manual_markdown(program) : manual_page(program));
   });
-  Command completion = line.command("completion", "a script that completes commands, options and names in a shell");
-  completion.option("shell", a->shell, "whose").one_of({"bash", "zsh", "fish"}).required();
+  Command completion =
+      line.command("completion", "print a script that completes commands, options and names in a shell");
+  completion.option("shell", a->shell, "the shell").one_of({"bash", "zsh", "fish"}).required();
   completion.option("--out", a->out, "a file for it, instead of standard output").taking("FILE");
   completion.example("source <(cageproof completion bash)");
   // Known once all commands are.
-  help.option("command", a->command, "of which; without, of the program")
+  help.option("command", a->command, "a command; if not given, the program")
       .taking(fmt::format("{}", fmt::join(names_of_commands(line), "|")));
   completion.runs([a, &line] {
     const ProgramText program = line.describe();

@@ -37,19 +37,19 @@ void add_dropping(Command& command, Dropping& dropping, const Option& data) {
   const Option drop =
       command
           .option("--drop", dropping.tolerance,
-                  "drops small weights, and writes an .npz of sparse rows that SciPy's load_npz reads: `weights @ "
-                  "posed` is off by at most this share of the cage's size, the diagonal of its bounding box")
+                  "drop small weights, and write an .npz of sparse rows for SciPy's load_npz: `weights @ posed` is off "
+                  "by at most this share of the cage's size, the diagonal of its bounding box")
           .taking("TOLERANCE")
           .in_range(0.0, 1.0)
           .excludes(data);
   command
       .option("--budget", dropping.budget,
-              "with --drop: poses that are bounded move each vertex by at most so many sizes of the cage")
+              "the bound of --drop holds for poses that move each vertex by at most this many cage sizes")
       .taking("SIZE")
       .in_range(0.0, 1000.0)
       .showing_default()
       .needs(drop);
-  command.option("--store", dropping.store, "with --drop: what weights are rounded to, which is part of the tolerance")
+  command.option("--store", dropping.store, "number type of the weights; the tolerance includes their rounding")
       .one_of(store_names())
       .showing_default()
       .needs(drop);
@@ -59,7 +59,7 @@ void check_dropping(const Dropping& dropping, const std::string& out, int order)
   if (!dropping.is_asked()) return;
   if (out.empty() || extension_of(out) != ".npz")
     throw InputError(fmt::format("--drop: {}; sparse rows are written as .npz",
-                                 out.empty() ? std::string("wants an --out") : fmt::format("not as {}", out)));
+                                 out.empty() ? std::string("needs an --out") : fmt::format("not as {}", out)));
   if (order > 0)
     throw InputError("--drop: drops weights of values, whose bound says nothing of derivatives; leave --order out");
 }

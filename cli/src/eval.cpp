@@ -179,16 +179,18 @@ int run(const EvalOptions& options) {
 void add_eval(CommandLine& line) {
   Command command = line.command("eval", "evaluate JSON lines from standard input");
   auto options = std::make_shared<EvalOptions>();
-  command.option("--formula", options->formula, "a formula of the catalogue; without, each line names its own")
+  command.option("--formula", options->formula, "a formula of the catalogue; if not given, each line names its own")
       .taking("FORMULA");
-  command.option("--evaluation", options->evaluation, "one of its evaluations").taking("EVALUATION").required();
-  command.option("--order", options->order, "0 value, 1 and gradient, 2 and Hessian").in_range(0, 2).showing_default();
-  command.option("--scalar", options->scalar, "what it computes in: mp50 is 50 digits")
+  command.option("--evaluation", options->evaluation, "an evaluation of the formula").taking("EVALUATION").required();
+  command.option("--order", options->order, "0: value; 1: also the gradient; 2: also the Hessian")
+      .in_range(0, 2)
+      .showing_default();
+  command.option("--scalar", options->scalar, "number type of the computation; mp50 has 50 digits")
       .one_of({"float", "double", "mp50", "mp100", "mp200"})
       .showing_default();
-  command.flag("--steps", options->steps,
-               "add what the evaluation computes on its way, each with its equation's number and its values: "
-               "riemann-<n> of quad.mean_value and its variants");
+  command.flag(
+      "--steps", options->steps,
+      "add intermediate results with their equations' numbers; for riemann-<n> of quad.mean_value and its variants");
   command.flag("--allow-invalid-quads", options->allow_invalid_quads, allow_invalid_quads_text);
   command.example(
       "echo '{\"element\":[[0,0,0],[1,0,0],[0,1,0]],\"point\":[0.25,0.25,\"0x1p-4\"]}' | "

@@ -225,25 +225,30 @@ int run(const ExplainOptions& options) {
 }  // namespace
 
 void add_explain(CommandLine& line) {
-  Command command = line.command("explain", "which operations of a closed form lose how much, for one input");
+  Command command = line.command("explain", "print which operations of a closed form lose how much, for one input");
   auto options = std::make_shared<ExplainOptions>();
   command.option("--formula", options->formula, "a formula of the catalogue").taking("FORMULA").required();
   command
       .option("--evaluation", options->evaluation,
-              "closed_form (algebra) or hybrid, of quads line_form; without, the recommended one")
+              "closed_form or hybrid, for quads line_form; if not given, the recommended one")
       .taking("EVALUATION");
-  Option element = command
-                       .option("--element", options->element,
-                               "its corners, [[x,y,z],...]; without, a JSON line from standard input, as eval's")
-                       .taking("JSON");
+  Option element =
+      command
+          .option("--element", options->element,
+                  "corners of the element, [[x,y,z],...]; if not given, a JSON line from standard input, as for eval")
+          .taking("JSON");
   Option point = command.option("--point", options->point, "the point, [x,y,z]").taking("JSON");
   element.needs(point);
   point.needs(element);
-  command.option("--parameter", options->parameters, "mu=..., nu=... of the formula").taking("NAME=VALUE");
+  command.option("--parameter", options->parameters, "a parameter of the formula, mu=... or nu=...")
+      .taking("NAME=VALUE");
   command.option("--order", options->order, "0 value, 1 gradient, 2 Hessian").in_range(0, 2).showing_default();
-  command.option("--entry", options->entry, "of that tensor, in eval's order; without, the one with the largest errors")
+  command
+      .option(
+          "--entry", options->entry,
+          "number of the tensor's entry, from 0, in the order of eval; if not given, the entry with the largest errors")
       .in_range(0, 1 << 20);
-  command.option("--limit", options->limit, "lines of the table").in_range(1, 1 << 20).showing_default();
+  command.option("--limit", options->limit, "number of lines of the table").in_range(1, 1 << 20).showing_default();
   command.flag("--allow-invalid-quads", options->allow_invalid_quads, allow_invalid_quads_text);
   command.flag("--json", options->json, "as JSON");
   command.example(

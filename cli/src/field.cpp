@@ -83,7 +83,7 @@ std::pair<std::string, int> coordinate_of(const std::string& text) {
   const auto colon = text.rfind(':');
   const std::string digits = colon == std::string::npos ? "" : text.substr(colon + 1);
   if (digits.empty() || digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos)
-    throw InputError(fmt::format("--coordinate {}: a block and an index, as lambda:0", text));
+    throw InputError(fmt::format("--coordinate {}: not a block and an index, such as lambda:0", text));
   return {text.substr(0, colon), std::stoi(digits)};
 }
 
@@ -224,7 +224,7 @@ int run(Arguments& a) {
 }  // namespace
 
 void add_field(CommandLine& line, const std::string& command_line) {
-  Command command = line.command("field", "the error field of one evaluation, as VTK file and picture");
+  Command command = line.command("field", "draw the error field of evaluations, as VTK files and a picture or scene");
   auto a = std::make_shared<Arguments>();
   a->command_line = command_line;
   Command what = command.exactly_one_of("Subject");
@@ -234,16 +234,17 @@ void add_field(CommandLine& line, const std::string& command_line) {
   Option evaluation =
       command.option("--evaluation", a->evaluation, "one of its evaluations; by default the recommended one")
           .taking("EVALUATION");
-  command.option("--coordinate", a->coordinate, "BLOCK:INDEX, as lambda:0: the values of that coordinate instead")
+  command
+      .option("--coordinate", a->coordinate, "draw the values of one coordinate, such as lambda:0, instead of errors")
       .needs(kind)
       .excludes(evaluation);
-  const Option compare =
-      command
-          .option("--compare", a->compare,
-                  "2 to 4 evaluations, as gauss-8,published,closed_form: errors against 50 digits side by side, in 3D")
-          .taking("EVALUATIONS")
-          .needs(kind)
-          .excludes(evaluation);
+  const Option compare = command
+                             .option("--compare", a->compare,
+                                     "2 to 4 evaluations, such as gauss-8,published,closed_form: their errors against "
+                                     "50 digits side by side, in 3D")
+                             .taking("EVALUATIONS")
+                             .needs(kind)
+                             .excludes(evaluation);
   command.option("--points", a->points, "a mesh, whose vertices are compared too (2000 of them, spread evenly)")
       .taking("FILE")
       .needs(compare);
@@ -258,7 +259,9 @@ void add_field(CommandLine& line, const std::string& command_line) {
       .in_range(2, 4096);
   a->judge.add_to(command);
   command.option("--jobs", a->jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();
-  command.option("--colours", a->colours, "LOW HIGH: the same colours in every run; without, the field's own range")
+  command
+      .option("--colours", a->colours,
+              "LOW HIGH: the range of the colours, the same in every run; if not given, the field's own range")
       .values(2)
       .excludes(compare);
   command.option("--out", a->out, "a folder for the field, its picture and a summary").taking("FOLDER").required();

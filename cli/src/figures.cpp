@@ -36,12 +36,12 @@ int run(const Arguments& a) {
 }  // namespace
 
 void add_figures(CommandLine& line) {
-  Command command = line.command("figures", "the papers' figures made again: deformers side by side");
+  Command command = line.command("figures", "draw the papers' figures: deformers side by side");
   auto a = std::make_shared<Arguments>();
   command
       .option("--data", a->data,
-              "a folder with NAME_Cage.obj, NAME_Cage_Deformed.obj and NAME.obj, of any number of names, instead of "
-              "cages made in code")
+              "a folder with NAME_Cage.obj, NAME_Cage_Deformed.obj and NAME.obj, for any number of names, instead of "
+              "the built-in cages")
       .taking("FOLDER");
   command.option("--jobs", a->jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();
   command.option("--out", a->out, "pictures, data and captions go to its folder figures/")

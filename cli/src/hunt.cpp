@@ -195,7 +195,7 @@ int run(Arguments& a) {
   if (!a.out.empty()) {
     reports::require_writable({a.out});
     if (std::filesystem::exists(a.out) && !std::filesystem::is_regular_file(a.out))
-      throw InputError(fmt::format("--out {}: is no file that cases can be added to", a.out));
+      throw InputError(fmt::format("--out {}: not a file of worst cases, to which others can be added", a.out));
     reports::merge_worst(a.out, {}, options.keep);
   }
   const std::vector<HuntResult> results = validation::hunt(options);
@@ -215,18 +215,23 @@ void add_hunt(CommandLine& line) {
   Command command = line.command("hunt", "search for the worst inputs of evaluations");
   auto a = std::make_shared<Arguments>();
   command.option("--formula", a->formula, "a formula of the catalogue").taking("FORMULA").required();
-  command.option("--evaluation,--evaluations", a->evaluations, "whose errors; without: of all with a promise")
+  command
+      .option("--evaluation,--evaluations", a->evaluations,
+              "evaluations whose errors are searched; if not given, all with a promise")
       .taking("EVALUATIONS");
-  command.option("--budget", a->options.budget, "inputs to measure, each by all that is looked for")
+  command.option("--budget", a->options.budget, "number of inputs to measure, each by all evaluations and checks")
       .required()
       .in_range(1, 1000000000);
-  command.option("--order", a->options.order, "derivative order asked and looked at").in_range(0, 2).showing_default();
+  command.option("--order", a->options.order, "0: value; 1: gradient; 2: Hessian").in_range(0, 2).showing_default();
   command.option("--scalar", a->scalar, "scalar").one_of({"double", "float"}).showing_default();
-  command.option("--check,--checks", a->checks, "which errors; without: what is promised").taking("CHECKS");
-  command.option("--regime,--regimes", a->options.regimes, "where climbs start").taking("REGIMES").showing_default();
+  command.option("--check,--checks", a->checks, "checks whose errors are searched; if not given, those with a promise")
+      .taking("CHECKS");
+  command.option("--regime,--regimes", a->options.regimes, "regimes where the search starts")
+      .taking("REGIMES")
+      .showing_default();
   command.option("--seed", a->options.seed, "64-bit seed").showing_default();
   command.option("--jobs", a->options.jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();
-  command.option("--out", a->out, "worst-case file to add the worst cases to").taking("FILE");
+  command.option("--out", a->out, "file of worst cases to which the worst are added").taking("FILE");
   a->judge.add_to(command);
   add_quiet(command);
   command.example(

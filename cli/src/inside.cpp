@@ -100,7 +100,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 void add_inside(CommandLine& line) {
-  Command command = line.command("inside", "whether points are inside a cage or mesh, on it or outside, exactly");
+  Command command = line.command("inside", "decide exactly whether points are inside a cage or mesh, on it or outside");
   auto a = std::make_shared<Arguments>();
   command.heading("Cage and points");
   a->cage.add_to(command, true);
@@ -110,11 +110,10 @@ void add_inside(CommandLine& line) {
                   std::string(y_of_points))
       .taking("FILE")
       .required();
-  command.flag(
-      "--any-mesh", a->any_mesh,
-      "take faces that are no cage: open, turned over, overlapping; inside is where they wind around the point "
-      "by more than a half");
-  command.flag("--keep-quads", a->keep_quads, "quads stay bilinear surfaces");
+  command.flag("--any-mesh", a->any_mesh,
+               "accept open, overlapping or inconsistently oriented faces; a point is inside if its winding number is "
+               "above 1/2 or below -1/2");
+  command.flag("--keep-quads", a->keep_quads, "keep quads as bilinear surfaces");
   command.heading("Output");
   command
       .option(

@@ -154,13 +154,13 @@ std::optional<judge::OwnPromise> promise_of(const Arguments& a) {
 
 int run(Arguments& a) {
   if (!a.language.empty()) return write_template(a);
-  if (a.code.empty()) throw InputError("what is to be judged? NAME=WHAT, as mine=./libmine.so; or --template");
+  if (a.code.empty()) throw InputError("no code to judge: give NAME=WHAT, such as mine=./libmine.so, or --template");
   const auto [name, what] = judge::name_and_what(a.code);
   std::vector<std::string_view> regimes;
   for (const validation::Regime& regime : validation::regimes()) regimes.push_back(regime.name);
   if (a.kind == judge::kSides) {
     if (!std::isnan(a.promise))
-      throw InputError("--promise is of numbers; sides are right or wrong, without --promise");
+      throw InputError("--promise bounds errors of numbers; sides are right or wrong, so leave it out");
     regimes = judge::side_regimes(a.dimension);
   } else if (!a.kind.empty()) {
     judge::require_judged_kind(a.kind, a.dimension);
@@ -206,10 +206,9 @@ int run(Arguments& a) {
     return std::ranges::any_of(one.rows, [](const auto& row) { return row.samples > 0 || row.failed > 0; });
   });
   if (!answers)
-    throw InputError(
-        fmt::format("{} declined all inputs, so that nothing can be said of it; ask it by hand with a line of eval, as "
-                    "docs/judge.md has it",
-                    name));
+    throw InputError(fmt::format(
+        "{} declined all inputs, so there is no verdict; ask it by hand with a line of eval, as in docs/judge.md",
+        name));
   code->finish();
   const auto incidents = judge::findings_of({}, code->incidents());
   c.findings.insert(c.findings.begin(), incidents.begin(), incidents.end());
@@ -225,7 +224,7 @@ int run(Arguments& a) {
 }  // namespace
 
 void add_judge(CommandLine& line, const std::string& command_line) {
-  Command command = line.command("judge", "somebody else's code against the truth, and a certificate");
+  Command command = line.command("judge", "compare your own code with the truth, and write a certificate");
   auto a = std::make_shared<Arguments>();
   a->command_line = command_line;
   command
@@ -233,8 +232,10 @@ void add_judge(CommandLine& line, const std::string& command_line) {
               "NAME=WHAT: a library (./libmine.so) that defines the functions of cageproof_judge.h, or a command "
               "('./my_program') that answers lines of eval")
       .taking("NAME=WHAT");
-  Option formula = command.option("--formula,--formulas", a->formulas, "which; without, all that the code says it has")
-                       .taking("FORMULAS");
+  Option formula =
+      command
+          .option("--formula,--formulas", a->formulas, "formulas to judge; if not given, all that the code says it has")
+          .taking("FORMULAS");
   Option kind =
       command
           .option(
@@ -243,18 +244,19 @@ void add_judge(CommandLine& line, const std::string& command_line) {
               "inside, for sides: 1 inside, 0 on the cage, -1 outside")
           .taking("KIND")
           .excludes(formula);
-  command.option("--dimension", a->dimension, "of the cages: 3, triangles in space, or 2, polygons in the plane")
+  command
+      .option("--dimension", a->dimension, "dimension of the cages: 3, triangles in space, or 2, polygons in the plane")
       .in_range(2, 3)
       .showing_default()
       .needs(kind);
-  command.option("--regimes,--regime", a->options.regimes, "how points sit to elements")
+  command.option("--regimes,--regime", a->options.regimes, "regimes, which say where points lie relative to elements")
       .taking("REGIMES")
       .showing_default();
-  command.option("--scalar", a->scalar, "what the code is asked in").one_of({"double", "float"}).showing_default();
+  command.option("--scalar", a->scalar, "number type of the questions").one_of({"double", "float"}).showing_default();
   command.heading("How much");
   command
       .option("--samples", a->options.samples,
-              "of each formula in each regime; an eighth where a truth is a costly integral")
+              "samples of each formula in each regime; an eighth of them where the truth is a costly integral")
       .in_range(1, 1000000)
       .showing_default();
   command.option("--seed", a->options.seed, "64-bit seed of all samples").showing_default();
@@ -262,16 +264,19 @@ void add_judge(CommandLine& line, const std::string& command_line) {
       .in_range(0, 1024)
       .showing_default();
   command.heading("The code's own promise");
-  Option promise = command.option("--promise", a->promise, "the largest error that the code promises, as 1e-10")
+  Option promise = command.option("--promise", a->promise, "the largest error that the code promises, such as 1e-10")
                        .in_range(0.0, 1e300);
   command
       .option("--measure", a->measure,
-              "of the promise: conditioned errors are relative to the truth and what rounding the input costs")
+              "kind of error that the promise bounds; conditioned errors are relative to the truth plus the cost of "
+              "rounding the input")
       .one_of({"relative", "absolute", "conditioned"})
       .showing_default()
       .needs(promise);
   command.heading("Limits of its process");
-  command.option("--seconds", a->limits.seconds, "without an answer").in_range(0.01, 3600.0).showing_default();
+  command.option("--seconds", a->limits.seconds, "seconds without an answer after which the code counts as hanging")
+      .in_range(0.01, 3600.0)
+      .showing_default();
   command.option("--memory", a->memory, "address space in GB").in_range(0.01, 1024.0).showing_default();
   command.heading("Output");
   command.option("--out", a->out, "a folder for certificate.json and certificate.md, or for --template")
@@ -283,7 +288,7 @@ void add_judge(CommandLine& line, const std::string& command_line) {
       .option("--template", a->language,
               "write an example in this language to begin with, of --formula or --kind if given")
       .one_of(languages);
-  command.flag("--strict", a->strict, "exit with 1 also where nothing can be said of some regime");
+  command.flag("--strict", a->strict, "exit with 1 also if a regime has no measured sample, or a declined one");
   add_quiet(command);
   command.example("cageproof judge mine=./libmine.so --out certificate");
   command.example("cageproof judge mine='python3 mine.py' --formula triangle.solid_angle --promise 1e-10");

@@ -217,7 +217,8 @@ void write_cage(const std::string& name, const std::string& out) {
 
 void add_list(CommandLine& line) {
   Command command = line.command(
-      "list", "the catalogue: formulas, sources, evaluations, kinds of coordinates, deformers, regimes, checks, cages");
+      "list",
+      "print the catalogue: formulas, sources, evaluations, kinds of coordinates, deformers, regimes, checks, cages");
   struct Arguments {
     std::string names = "*", cage, out;
     bool json = false;

@@ -18,7 +18,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 void add_merge(CommandLine& line) {
-  Command command = line.command("merge", "one report of all shards of a run");
+  Command command = line.command("merge", "make one report of all shards of a run");
   auto a = std::make_shared<Arguments>();
   command.option("parts", a->parts, "the shards' folders, as `verify --shard` made them").taking("FOLDER").required();
   command.option("--out", a->out, "the report's folder").taking("FOLDER").required();

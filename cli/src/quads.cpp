@@ -48,9 +48,9 @@ int run(const Arguments& a) {
 }  // namespace
 
 void add_quads(CommandLine& line) {
-  Command command = line.command("quads",
-                                 "which quads of a cage are valid ([T18] Definition 1), and why others are not; "
-                                 "exit 1 when any is not");
+  Command command = line.command(
+      "quads",
+      "print which quads of a cage are valid ([T18] Definition 1), and why others are not; exit 1 when any is not");
   auto a = std::make_shared<Arguments>();
   a->cage.allow_invalid_quads = true;
   command.heading("The cage");
@@ -58,8 +58,8 @@ void add_quads(CommandLine& line) {
   command.heading("Output");
   command
       .option("--out", a->out,
-              ".csv: a line per quad with its number and line in the file, whether it is planar, whether it is valid, "
-              "and the reason, corners counted from 0; on standard output if not given")
+              ".csv with one line per quad: its number, its line in the file, whether it is planar, whether it is "
+              "valid, and the reason, with corners counted from 0; on standard output if not given")
       .taking("FILE");
   add_quiet(command);
   command.example("cageproof quads --cage my_cage.obj");

@@ -32,7 +32,7 @@ Quad<double> corners_of(const QueryText& text) {
 
 void check_allows_invalid_quads(bool allowed, const Formula& formula) {
   if (allowed && formula.element != ElementKind::Quad)
-    throw InputError(fmt::format("--allow-invalid-quads: {} is on no quads", formula.name));
+    throw InputError(fmt::format("--allow-invalid-quads: {} is not a formula on quads", formula.name));
 }
 
 std::optional<std::string> invalid_quad(const QueryText& text, const Formula& formula) {
@@ -44,8 +44,8 @@ std::optional<std::string> invalid_quad(const QueryText& text, const Formula& fo
 
 void require_valid_quad(const QueryText& text, const Formula& formula) {
   if (const auto reason = invalid_quad(text, formula))
-    throw InputError(
-        fmt::format("{}; {} wants valid quads, --allow-invalid-quads computes all the same", *reason, formula.name));
+    throw InputError(fmt::format("{}; {} needs valid quads, --allow-invalid-quads computes with others, too", *reason,
+                                 formula.name));
 }
 
 void require_extent(const QueryText& text, const Formula& formula) {

@@ -17,7 +17,7 @@ namespace cageproof::cli {
 void require_extent(const QueryText& text, const Formula& formula);
 
 /// Help text of --allow-invalid-quads in `eval` and `explain`.
-inline constexpr const char* allow_invalid_quads_text = "compute with quads that are not valid, of formulas on quads";
+inline constexpr const char* allow_invalid_quads_text = "compute with quads that are not valid; for formulas on quads";
 
 /// \throws InputError when the flag is given for a formula that is on no quads
 void check_allows_invalid_quads(bool allowed, const Formula& formula);

@@ -138,7 +138,7 @@ int run(Arguments& asked) {
 
 void add_replay(CommandLine& line) {
   Command command =
-      line.command("replay", "runs stored worst cases again exactly, with a summary; exit 1 when a promise is broken");
+      line.command("replay", "run stored worst cases again, exactly, with a summary; exit 1 when a promise is broken");
   auto asked = std::make_shared<Arguments>();
   command.option("file", asked->file, "worst cases: a report's worst.jsonl, or a file of its folder worst")
       .taking("FILE")

@@ -6,7 +6,7 @@
 namespace cageproof::cli {
 
 void add_report(CommandLine& line) {
-  Command command = line.command("report", "the report of a finished run afresh, from its journal");
+  Command command = line.command("report", "make the report of a finished run again, from its journal");
   auto folder = std::make_shared<std::string>();
   command.option("folder", *folder, "the run's folder").taking("FOLDER").required();
   command.example("cageproof report my-report");

@@ -55,14 +55,14 @@ Mat3<double> jacobian_of(const Images<double>& images, std::size_t point, int di
 }  // namespace
 
 void add_stress(Command& command, StressArguments& a) {
-  Option stress = command.option("--stress", a.file,
-                                 ".csv, .npy or .vtp: strain and stress of the displacement, as linear elasticity has "
-                                 "them; in the plane those of plane strain");
+  Option stress = command.option(
+      "--stress", a.file,
+      ".csv, .npy or .vtp: strain and stress of the displacement by linear elasticity, in the plane by plane strain");
   stress.taking("FILE");
   command
       .option("--normals", a.normals,
-              "text, three numbers per line, for polygons two; one line per point: --stress has the traction on the "
-              "plane with that normal, too")
+              "normals, with which --stress adds the traction on the plane with that normal: text with three numbers "
+              "per line, for polygons two; one line per point")
       .taking("FILE")
       .needs(stress);
   command.option("--shear-modulus", a.shear_modulus, "mu of --stress; stresses have its unit")
@@ -84,7 +84,7 @@ void check_stress(const StressArguments& a, std::string_view method, const std::
     return;
   }
   if (std::isnan(a.poisson_ratio))
-    throw InputError(fmt::format("--stress: {} has no Poisson's ratio; --poisson-ratio NU says it", method));
+    throw InputError(fmt::format("--stress: {} has no Poisson's ratio; give it by --poisson-ratio NU", method));
   if (std::isinf(a.poisson_ratio) || !has_stress(a.poisson_ratio))
     throw InputError(fmt::format("--poisson-ratio {}: must be between -1 and 1/2, both excluded", a.poisson_ratio));
 }

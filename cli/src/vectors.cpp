@@ -114,7 +114,7 @@ void add_vectors(CommandLine& line, const std::string& command_line) {
       line.command("vectors", "write test vectors: exact inputs, truths in 40 digits, the defects they find");
   auto a = std::make_shared<VectorArguments>();
   a->command = command_line;
-  command.option("--out", a->out, "a folder for the files, made where it is missing").taking("DIR").required();
+  command.option("--out", a->out, "a folder for the files, which is made if it is missing").taking("DIR").required();
   command
       .option("--formulas", a->formulas,
               "names and globs with commas between; without --formulas and --kinds all formulas of triangles and "
@@ -124,8 +124,8 @@ void add_vectors(CommandLine& line, const std::string& command_line) {
       .option("--kinds", a->kinds,
               fmt::format("coordinates of whole cages: {}, or globs", fmt::join(judge::vector_kinds(), ", ")))
       .taking("GLOB");
-  command.option("--cages", a->cages, "of --kinds").taking("GLOB").showing_default();
-  command.option("--seed", a->options.seed, "of the samples").showing_default();
+  command.option("--cages", a->cages, "cages for --kinds: names or globs").taking("GLOB").showing_default();
+  command.option("--seed", a->options.seed, "seed of the samples").showing_default();
   command.option("--jobs", a->options.jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();
   command.example("cageproof vectors --kinds mean_value --out vectors");
   command.example("cageproof vectors --formulas triangle.single_layer --out vectors");

@@ -146,22 +146,23 @@ int run(Arguments& a) {
 }  // namespace
 
 void add_verify(CommandLine& line, const std::string& command_line) {
-  Command command = line.command("verify", "the main job: every formula against its definition, and a report");
+  Command command =
+      line.command("verify", "the main job: compare every formula with its definition, and write a report");
   auto a = std::make_shared<Arguments>();
   a->options.command_line = command_line;
   a->command = command;
   command.heading("Questions");
-  command.option("--formulas,--formula", a->options.formulas, "which, names and globs with commas between")
+  command.option("--formulas,--formula", a->options.formulas, "formulas: names and globs with commas between")
       .taking("FORMULAS")
       .showing_default();
-  command.option("--evaluations,--evaluation", a->options.evaluations, "which of theirs")
+  command.option("--evaluations,--evaluation", a->options.evaluations, "evaluations of these formulas")
       .taking("EVALUATIONS")
       .showing_default();
-  command.option("--regimes,--regime", a->options.regimes, "how points sit to elements")
+  command.option("--regimes,--regime", a->options.regimes, "regimes, which say where points lie relative to elements")
       .taking("REGIMES")
       .showing_default();
   a->judge.add_to(command);
-  command.heading("A cage of one's own");
+  command.heading("A cage of your own");
   a->cage.add_to(command, false);
   command
       .option("--points", a->points,
@@ -186,18 +187,16 @@ void add_verify(CommandLine& line, const std::string& command_line) {
   command.option("--seed", a->options.seed, "64-bit seed of all samples").showing_default();
   command.heading("Output");
   const Option out = command.option("--out", a->out, "the report's folder").taking("FOLDER").showing_default();
-  command
-      .option("--timings", a->timings,
-              "a CSV table of what each unit of work took of the processor, the costliest first")
+  command.option("--timings", a->timings, "a CSV table of the processor time of each unit of work, the costliest first")
       .taking("FILE");
   command.heading("Running");
   command.option("--jobs", a->options.jobs, "threads; 0: one per core").in_range(0, 1024).showing_default();
-  command.option("--shard", a->shard, "I/N: measure part I of N, from 0, alone; `merge` makes the report")
+  command.option("--shard", a->shard, "measure only part I of N, counted from 0; `merge` makes the report")
       .taking("I/N")
       .showing_default();
   command
       .option("--resume", a->resume,
-              "folder of a run to go on with; options that are not given are that run's, others must agree with it")
+              "go on with the run in this folder, with its options; options that are given must agree with them")
       .taking("FOLDER")
       .excludes(out);
   command

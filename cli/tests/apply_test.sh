@@ -130,7 +130,7 @@ for word in cage_vertices elements element_normals element_areas cageproof_metad
 
 # Nobody's files are in the way.
 echo '{}' >mine.json
-refuses mine.json 'stands where' -- "${common[@]}" --kind green --out mine.csv
+refuses mine.json 'which is no such' -- "${common[@]}" --kind green --out mine.csv
 refuses cage.obj .obj -- "${common[@]}" --kind green --out cage.obj
 cp table.json solved.json
 refuses solved.json --solved -- "${common[@]}" --kind green --out solved.csv --solved solved.json

@@ -300,7 +300,7 @@ refuses same.csv --derivatives -- "${common[@]}" --method green --order 1 --out 
 # All files or none, and nobody else's.
 refuses 'the folder nowhere does not exist' -- "${common[@]}" --method green --order 1 --out fine.csv --derivatives nowhere/fine.csv
 printf '{"a": 1}\n' >theirs.json
-refuses theirs.json 'stands where' -- "${common[@]}" --method green --out theirs.csv
+refuses theirs.json 'which is no such' -- "${common[@]}" --method green --out theirs.csv
 mkdir folder.csv
 refuses folder.csv -- "${common[@]}" --method green --order 1 --out fine.csv --derivatives folder.csv
 rmdir folder.csv
@@ -410,12 +410,12 @@ grep -q '"points_by_faces": [1-9]' some.json || fail "points by faces of few fac
 "$cageproof" list --cage cube --out unit.obj >/dev/null && sed -E 's/^v ([^ ]+) ([^ ]+) ([^ ]+)$/v \1e90 \2e90 \3e90/' unit.obj >vast.obj
 echo 1e89,2e89,3e89 | "$cageproof" deform --cage vast.obj --posed vast.obj --points - --method green --digits 6 --out vast.csv || fail "--digits of a large cage"
 grep -q '"points_by_faces": 1' vast.json || fail "points by faces of a large cage: $(cat vast.json)"
-refuses --digits 'there is green' -- "${common[@]}" --method somigliana --digits 6 --out out.obj
+refuses --digits 'always computes all digits; leave --digits out, or take green' -- "${common[@]}" --method somigliana --digits 6 --out out.obj
 refuses --digits quad_green -- "${common[@]}" --method green --keep-quads --digits 6 --out out.obj
 refuses --digits derivatives -- "${common[@]}" --method green --digits 6 --order 1 --derivatives out.csv --out out.obj
 refuses --digits hybrid batched -- "${common[@]}" --method green --digits 6 --evaluation hybrid --out out.obj
 refuses --digits extend -- "${common[@]}" --method green --digits 6 --outside extend --out out.obj
-refuses 'have all digits only' batched -- --cage square --posed square --points points.csv --method green --digits 6 --out out.csv
+refuses 'always have all digits' batched -- --cage square --posed square --points points.csv --method green --digits 6 --out out.csv
 refuses --digits 2 -- "${common[@]}" --method green --digits 2 --out out.obj
 
 # Wrong options and values are refused.

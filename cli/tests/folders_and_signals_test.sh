@@ -99,7 +99,7 @@ done
 grep -q 'which --points reads' stderr && [ -s holds/points.txt ] || fail "field over its points: $(cat stderr)"
 mkfifo pipe.jsonl
 timeout 20 "$cageproof" hunt --formula triangle.solid_angle --budget 10 --out pipe.jsonl >stdout 2>stderr
-[ $? -eq 2 ] && grep -q 'no file that cases can be added to' stderr || fail "hunt into a pipe: $(cat stderr)"
+[ $? -eq 2 ] && grep -q 'not a file of worst cases, to which others can be added' stderr || fail "hunt into a pipe: $(cat stderr)"
 mkdir folder.obj
 "$cageproof" deform --cage cube --posed cube --points linked_point.txt --method green --out folder.obj >stdout 2>stderr && fail 'deform into a folder'
 grep -q 'cannot write folder.obj' stderr || fail "deform into a folder: $(cat stderr)"

@@ -77,7 +77,7 @@ assert found["kind"] == "inside" and all(wrong[regime] > 0 for regime in wrong i
 assert not any(wrong[regime] for regime in ("generic", "far", "units", "offset")), wrong
 END
 done
-refuses_to judge '--promise is of numbers' -- mine=./ju_mean_value.so --kind inside --promise 1e-3
+refuses_to judge '--promise bounds errors of numbers' -- mine=./ju_mean_value.so --kind inside --promise 1e-3
 refuses_to judge "unknown regime 'inside'" -- mine=./ju_mean_value.so --kind inside --regimes inside
 refuses_to judge 'has no function for' -- mine=./ju_mean_value.so --kind spherical_mean_value
 

@@ -70,7 +70,7 @@ limited() { (ulimit -v 3000000 && "$cageproof" "$@"); }
 for kind in npz vtp; do
   limited coordinates --cage cube --points many.xyz --kind somigliana --order 2 --jobs 1 --out table.$kind >said 2>&1
   [ $? -eq 2 ] || fail "a table that does not fit, as .$kind: $(cat said)"
-  grep -q "^cageproof: table.$kind: a table of 100000 points with 2340 numbers each has 1.87 GB, and making this file takes [57].[0-9]* GB, and half of the memory there is has 1.54 GB; write .npy or .csv" said ||
+  grep -q "^cageproof: table.$kind: a table of 100000 points with 2340 numbers each has 1.87 GB, and making this file takes [57].[0-9]* GB, more than half of the memory, 1.54 GB; write .npy or .csv" said ||
     fail "says of .$kind: $(cat said)"
   [ ! -e table.$kind ] || fail "a table that was refused"
 done

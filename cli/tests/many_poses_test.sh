@@ -84,7 +84,7 @@ refuses --frame-rate .pc2 .mdd -- "${poses[@]}" --frame-rate 25 --out film.pc2
 refuses --frame-rate .pvd .mdd -- "${poses[@]}" --frame-rate 25 --out film.pvd
 refuses --frame-rate -- "${poses[@]}" --frame-rate 0 --out film.mdd
 echo mine >film.json
-refuses film.json 'stands where' -- "${poses[@]}" --out film.pc2
+refuses film.json 'which is no such' -- "${poses[@]}" --out film.pc2
 rm film.json
 
 # A collection names the maps' files by paths from its own folder on.

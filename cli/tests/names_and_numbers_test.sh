@@ -119,7 +119,7 @@ refuses_to man "--out: '' is empty" -- --out= --markdown
 refuses_to man '--markdown takes no value' -- --markdown=xx
 refuses_to bench 'excludes' -- --coordinates --cage cube --order 1
 refuses_to bench "unexpected 'far'" -- --formula triangle.solid_angle --regime generic far
-refuses_to hunt "'hull'" '`verify` alone has it' -- --formula triangle.solid_angle --budget 10 --regime hull
+refuses_to hunt "'hull'" 'only `verify` has it' -- --formula triangle.solid_angle --budget 10 --regime hull
 refuses_to field --colours 'takes 2 values: it was given 1' -- --kind green --cage cube --out out --colours 1
 refuses_to field "green has no evaluation 'gau'" -- --kind green --cage cube --out out --compare gau
 refuses_to field "no evaluation of green matches 'nosuch-*'" -- --kind green --cage cube --out out --compare 'nosuch-*'

@@ -89,7 +89,7 @@ printf '0.25 0.5\n0.75 0.125\n' >flat.xyz
 for kind in mean_value green cauchy; do "$cageproof" coordinates --cage star --points flat.xyz --kind $kind --drop 1e-2 --out flat.npz 2>said || fail "$kind in the plane: $(cat said)"; done
 
 small=("${common[@]}" --kind mean_value)
-refuses '--drop' 'wants an --out' -- "${small[@]}" --drop 1e-3
+refuses '--drop' 'needs an --out' -- "${small[@]}" --drop 1e-3
 for kind in npy csv vtp; do refuses '--drop' .npz -- "${small[@]}" --drop 1e-3 --out x.$kind; done
 refuses '--drop' '--order' -- "${small[@]}" --drop 1e-3 --order 1 --out x.npz
 refuses '--drop' '--data' -- "${small[@]}" --drop 1e-3 --data points.xyz --out x.npz

@@ -158,7 +158,7 @@ def refusals() -> None:
             check(f"{more}: exit code {ended.returncode}, '{ended.stderr.strip()}' instead of '{words}'", 1, 0)
 
     file = ("--stress", "s.csv")
-    refused("mean_value has no Poisson's ratio; --poisson-ratio NU", "--method", "mean_value", *file)
+    refused("mean_value has no Poisson's ratio; give it by --poisson-ratio NU", "--method", "mean_value", *file)
     for nu in ("0.5", "-1", "0.7"):
         refused("must be between -1 and 1/2", "--method", "mean_value", *file, "--poisson-ratio", nu)
     refused("not a finite number", "--method", "mean_value", *file, "--poisson-ratio", "inf")

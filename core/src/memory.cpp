@@ -52,7 +52,7 @@ std::string size_text(double bytes) {
 void require_memory(double bytes, std::string_view what, std::string_view advice) {
   const double half = static_cast<double>(usable_memory()) / 2;
   if (bytes <= half) return;
-  throw InputError(fmt::format("{} takes {}, and half of the memory there is has {}; {}", what, size_text(bytes),
+  throw InputError(fmt::format("{} takes {}, more than half of the memory, {}; {}", what, size_text(bytes),
                                size_text(half), advice));
 }
 

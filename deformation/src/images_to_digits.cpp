@@ -72,10 +72,9 @@ PointImages images_to_digits(const CageCoordinates& coordinates, std::span<const
     const bool beyond_blocks = sum == nullptr && coordinates.kind().name == "green" && coordinates.dimension() == 3 &&
                                coordinates.evaluation() == "batched";
     if (sum == nullptr && !beyond_blocks)
-      throw InputError(
-          fmt::format("images by {} coordinates, evaluation {}, have all digits only: there is green, by "
-                      "batched, of cages in space",
-                      coordinates.kind().name, coordinates.evaluation()));
+      throw InputError(fmt::format(
+          "images by {} coordinates, evaluation {}, always have all digits; only green by batched in space has fewer",
+          coordinates.kind().name, coordinates.evaluation()));
     // The same numbers as without digits.
     if (beyond_blocks || sum->degree() == 0) {
       reports.assign(maps.size(), {.by_faces = asked.size()});

@@ -16,8 +16,8 @@ namespace {
 // each is rounded. What is left of the identity is to be right to 1e-12: with roundings of 1e-16 up to a = 100.
 constexpr double thin = 100;
 
-// Values at samples lose a where derivatives lose a^2, and only what a pose has beside a similarity loses: more than
-// 1e-10 of it here, and double has no digits left of them at 1e8.
+// Values at samples lose a factor a where derivatives lose a^2, and only in the difference between a pose and a
+// similarity: more than 1e-10 of it here. At 1e8, double has no digits left of them.
 constexpr double thin_for_values = 1e6;
 
 // In the plane values next to each other lose as much where a cage is thin: the condition of what is solved from them

@@ -147,7 +147,8 @@ Attempt<R> exchanged(const Matrix<R>& matrix, const Matrix<R>& right, ColumnSet&
 template <Scalar R>
 NonNegativeSolution<R> nonnegative_least_squares(const Matrix<R>& matrix, const Matrix<R>& right) {
   for (const R& x : right.reshaped())
-    if (!(x - x == 0)) throw InputError("what stretches are asked to meet is not finite: the pose is too large");
+    if (!(x - x == 0))
+      throw InputError("the conditions that determine the stretches are not finite: the pose is too large");
   Matrix<R> norms = matrix.colwise().norm();
   for (R& norm : norms.reshaped())
     if (norm == 0) norm = R(1);

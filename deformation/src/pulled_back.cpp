@@ -14,7 +14,7 @@ void refuse_missing(const std::vector<char>& missing, std::span<const double> we
   for (std::size_t p = 0; p < missing.size(); ++p)
     if (missing[p] && std::ranges::any_of(weights.subspan(p * d, d), [](double w) { return w != 0; }))
       throw InputError(fmt::format(
-          "point {} has no image, so its weights must be zero: images outside the cage, and of NaN, are NaN", p));
+          "point {} has no image, because it lies outside the cage or is NaN: its weights must be zero", p));
 }
 
 // Points without image weigh nothing, and NaN times nothing would be NaN.

@@ -94,7 +94,7 @@ TEST(parameters, of_boundary_normals_change_without_other_coordinates) {
           << c.name;
       EXPECT_GT(distance(deformed(*shared, c.posed, c.points), deformed(*before, c.posed, c.points), 0), 1e-6);
     }
-    // Two pieces an edge.
+    // Two pieces per edge.
     EXPECT_THROW(with_other_parameters<double>(method, *before, {0, 2}), InputError);
   }
 }

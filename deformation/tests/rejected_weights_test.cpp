@@ -100,8 +100,8 @@ TEST(rejected, poles_of_the_ratio) {
   }
 }
 
-// One sample a triangle of the cube leaves two densities open, and Weber's construction two of its first eight. One
-// sample a quad has twelve equations, of which ten are independent, for the 32 densities of vertices and corners.
+// One sample per triangle of the cube leaves two densities open, and Weber's construction two of its first eight. One
+// sample per quad has twelve equations, of which ten are independent, for the 32 densities of vertices and corners.
 TEST(reported, ranks_that_are_deficient) {
   const Case c = cube();
   int asked = 0;

@@ -40,7 +40,8 @@ TEST(thin, elements_cost_the_identity_nothing) {
   }
 }
 
-// Systems are asked only for what a pose has beside a similarity. Sums of layers leave 3e-13 of the cage's size here.
+// Systems are asked only for the difference between a pose and a similarity. Sums of layers leave 3e-13 of the cage's
+// size here.
 TEST(thin, cages_that_are_solved_in_double_keep_the_identity_to_rounding) {
   const Cage cage = embedded_cage("pinch-1e-5");
   const std::vector<Vec> points{{.125, .1, .475}, {.3, .3, -.45}, {.02, .01, .1}};

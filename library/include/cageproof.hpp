@@ -14,7 +14,7 @@
 
 namespace cageproof::shared {
 
-/// A refusal by the C interface: its text, and its code.
+/// An error of the C interface: its text and its code.
 class Error : public std::runtime_error {
  public:
   Error(int code, const char* text) : std::runtime_error(text), code_(code) {}
@@ -33,14 +33,15 @@ inline void check(int code) {
 /// Names and values: {{"nu", "0.3"}, {"threads", "1"}}.
 using Options = std::vector<std::pair<std::string, std::string>>;
 
-/// Options as the C interface takes them. Keeps references.
+/// Returns options for the C interface, which refer to the given strings.
 inline std::vector<cageproof_option> as_c(const Options& options) {
   std::vector<cageproof_option> found;
   for (const auto& [name, value] : options) found.push_back({name.c_str(), value.c_str()});
   return found;
 }
 
-/// Names of "kinds", "methods", "formulas", "cages", or a formula's evaluations, one per line. \throws Error
+/// Returns the names of "kinds", "methods", "formulas", "cages", or a formula's evaluations, one per line.
+/// \throws Error
 inline std::string list(const std::string& of) {
   std::size_t needed = 0;
   check(cageproof_list(of.c_str(), nullptr, 0, &needed));
@@ -50,7 +51,7 @@ inline std::string list(const std::string& of) {
   return text;
 }
 
-/// A mesh, which is checked where coordinates are made of it. All functions \throw Error
+/// A mesh. Coordinates and Deformer check it. All functions \throw Error
 class Cage {
  public:
   Cage(std::span<const double> vertices, const std::vector<std::vector<int>>& faces, int dimension = 3) {
@@ -109,12 +110,12 @@ class Coordinates {
     check(cageproof_coordinates_evaluate(own_.get(), points.data(), points.size(), values.data(), values.size(),
                                          gradients.data(), gradients.size(), hessians.data(), hessians.size()));
   }
-  /// The values' change along a change of the cage's vertices.
+  /// Computes the change of values under a change of the cage's vertices.
   void jvp(std::span<const double> points, std::span<const double> change, std::span<double> values) const {
     check(cageproof_coordinates_jvp(own_.get(), points.data(), points.size(), change.data(), change.size(),
                                     values.data(), values.size()));
   }
-  /// A function's derivatives by the cage's vertices, from those by the values.
+  /// Computes a function's derivatives by the cage's vertices from those by the values.
   void vjp(std::span<const double> points, std::span<const double> weights, std::span<double> vertices) const {
     check(cageproof_coordinates_vjp(own_.get(), points.data(), points.size(), weights.data(), weights.size(),
                                     vertices.data(), vertices.size()));
@@ -169,7 +170,7 @@ class Deformer {
     check(cageproof_bound_images(own_.get(), points.get(), images.data(), images.size(), jacobians.data(),
                                  jacobians.size()));
   }
-  /// The images' change along a change of the posed vertices.
+  /// Computes the change of images under a change of the posed vertices.
   void jvp(std::span<const double> points, std::span<const double> change, std::span<double> images) const {
     check(cageproof_deformer_jvp(own_.get(), points.data(), points.size(), change.data(), change.size(), images.data(),
                                  images.size()));
@@ -177,7 +178,7 @@ class Deformer {
   void jvp(const BoundPoints& points, std::span<const double> change, std::span<double> images) const {
     check(cageproof_bound_jvp(own_.get(), points.get(), change.data(), change.size(), images.data(), images.size()));
   }
-  /// A function's derivatives by the posed vertices, from those by the images.
+  /// Computes a function's derivatives by the posed vertices from those by the images.
   void vjp(std::span<const double> points, std::span<const double> weights, std::span<double> vertices) const {
     check(cageproof_deformer_vjp(own_.get(), points.data(), points.size(), weights.data(), weights.size(),
                                  vertices.data(), vertices.size()));

@@ -36,14 +36,15 @@ struct Deformer::Prepared {
         threads(options.threads),
         digits(options.digits) {
     if (digits == 0) return;
-    if (name != "green") throw InputError(fmt::format("digits: {} has all digits only; there is green", name));
+    if (name != "green")
+      throw InputError(fmt::format("digits: {} always computes all digits; leave digits out, or take green", name));
     if (digits < 3 || digits > 12) throw InputError(fmt::format("digits: {} is not from 3 to 12", digits));
   }
 
   // The pose derivative is found when it is asked for first.
   const deformation::PoseDerivative<double>& derivative() {
     const std::lock_guard lock(finding);
-    if (!posed) throw InputError("derivatives of images are asked for before the cage has a pose");
+    if (!posed) throw InputError("the cage has no pose yet: call pose before derivatives");
     if (!found) found = deformation::pose_derivative(method, *deformer, {.vertices = vertices});
     return *found;
   }
@@ -128,7 +129,7 @@ void put_vertices(const std::vector<Vec3<double>>& found, std::size_t d, std::sp
 }  // namespace
 
 void Deformer::images(std::span<const double> points, std::span<double> images, std::span<double> jacobians) const {
-  if (!prepared_->posed) throw InputError("images of points are asked for before the cage has a pose");
+  if (!prepared_->posed) throw InputError("the cage has no pose yet: call pose before images");
   const CageCoordinates& coordinates = prepared_->deformer->coordinates();
   const auto d = static_cast<std::size_t>(coordinates.dimension());
   const std::vector<Vec3<double>> at = vectors_of(points, coordinates.dimension(), "points");
@@ -156,9 +157,10 @@ BoundPoints Deformer::bind(std::span<const double> points, bool jacobians) const
 }
 
 void Deformer::images(const BoundPoints& points, std::span<double> images, std::span<double> jacobians) const {
-  if (!prepared_->posed) throw InputError("images of points are asked for before the cage has a pose");
+  if (!prepared_->posed) throw InputError("the cage has no pose yet: call pose before images");
   const BoundPoints::Kept& kept = *points.kept_;
-  if (kept.of != prepared_->deformer) throw InputError("the points were bound by another Deformer");
+  if (kept.of != prepared_->deformer)
+    throw InputError("the points were bound by another Deformer; bind them by this one");
   const int order = checked_order(points.size(), kept.dimension, prepared_->deformer->max_order(), images, jacobians);
   if (order > kept.coordinates.order()) throw InputError("jacobians: the points were bound without; bind them with");
   const std::array maps{prepared_->posed.get()};
@@ -178,7 +180,8 @@ void Deformer::jvp(std::span<const double> points, std::span<const double> chang
 
 void Deformer::jvp(const BoundPoints& points, std::span<const double> change, std::span<double> images) const {
   const BoundPoints::Kept& kept = *points.kept_;
-  if (kept.of != prepared_->deformer) throw InputError("the points were bound by another Deformer");
+  if (kept.of != prepared_->deformer)
+    throw InputError("the points were bound by another Deformer; bind them by this one");
   const auto along = changed(*prepared_, kept.dimension, change);
   check_size(images.size(), points.size() * kept.dimension, "images");
   const std::array maps{along.get()};
@@ -197,7 +200,8 @@ void Deformer::vjp(std::span<const double> points, std::span<const double> weigh
 
 void Deformer::vjp(const BoundPoints& points, std::span<const double> weights, std::span<double> vertices) const {
   const BoundPoints::Kept& kept = *points.kept_;
-  if (kept.of != prepared_->deformer) throw InputError("the points were bound by another Deformer");
+  if (kept.of != prepared_->deformer)
+    throw InputError("the points were bound by another Deformer; bind them by this one");
   const deformation::PoseDerivative<double>& derivative = prepared_->derivative();
   check_given(weights, points.size() * kept.dimension, "weights");
   put_vertices(kept.coordinates.pulled_back(derivative, weights, prepared_->threads), kept.dimension, vertices);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Cages, and what is made of them: coordinates, deformers, inside tests."""
+"""Cages, and the coordinates, deformers and inside tests that are made of them."""
 
 from ctypes import byref, c_int, c_size_t
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
@@ -12,12 +12,12 @@ Arrays = Union[np.ndarray, Tuple[np.ndarray, ...]]
 
 
 class Block(NamedTuple):
-    """Coordinates that belong together."""
+    """A block of coordinates, such as the phi of all vertices."""
 
     label: str  #: "phi", "psi", "lambda" ...
-    one_a: str  #: "vertex", "element", "corner" or "normal"
-    reproduces: str  #: what it multiplies where a linear map is reproduced: "vertices", "turned vertices", "normals", "nothing"
-    count: int  #: coordinates
+    one_a: str  #: what a coordinate belongs to: "vertex", "element", "corner" or "normal"
+    reproduces: str  #: the data that it multiplies to reproduce a linear map: "vertices", "turned vertices", "normals", "nothing"
+    count: int  #: number of coordinates
     rows: int  #: of each coordinate; 1 and 1 for numbers
     columns: int
     offset: int  #: where its first number stands in a point's row
@@ -29,16 +29,16 @@ class Places(NamedTuple):
 
     place: np.ndarray  #: 1 inside, 0 on the surface, -1 outside
     face: np.ndarray  #: the first face that the point is on, from 0; -1 for none
-    winding: np.ndarray  #: how often the surface winds around the point; NaN on it
-    bound: np.ndarray  #: what `winding` is off at most; 0 where it is exact
+    winding: np.ndarray  #: winding number of the surface around the point; NaN on it
+    bound: np.ndarray  #: the largest error of `winding`; 0 where it is exact
 
 
 class Cage:
     """A mesh of triangles and quads in space, or of segments in the plane.
 
     vertices: (n, 3), in the plane (n, 2), finite. faces: (m, 3), (m, 4), in the plane (m, 2), or a list of lists of both
-    3 and 4; vertices from 0, counter-clockwise seen from outside. It is checked when coordinates are made of it: closed,
-    oriented, no broken face; `check()` does it before. Immutable.
+    3 and 4, of vertices from 0, counter-clockwise seen from outside. Immutable. `check()`, and all that make coordinates
+    of the mesh, refuse it unless it is closed, oriented and without broken faces.
     """
 
     def __init__(self, vertices: Any, faces: Any):
@@ -61,7 +61,7 @@ class Cage:
 
     @classmethod
     def embedded(cls, name: str) -> "Cage":
-        """One of the cages that come with the library, as `names("cages")` lists them."""
+        """Returns a built-in cage; `names("cages")` lists all."""
         return cls._made(Handle("cage", "cage_embedded", name.encode()))
 
     @classmethod
@@ -88,7 +88,7 @@ class Cage:
 
     @property
     def faces(self) -> List[List[int]]:
-        """The vertices of each face: new lists."""
+        """The vertices of each face, as new lists."""
         corners, ends = self._corners.tolist(), np.cumsum(self._sizes).tolist()
         return [corners[first:end] for first, end in zip([0, *ends], ends)]
 
@@ -97,29 +97,29 @@ class Cage:
         call("cage_check", self._handle.pointer, *options(given))
 
     def prepare(self, kind: str, **given: Any) -> "Coordinates":
-        """Coordinates of a kind ("green", "mean_value" ...), prepared for many calls.
+        """Prepares coordinates of a kind ("green", "mean_value" ...) for many calls.
 
         Options: evaluation, triangulation ("shortest", "fan"), flip_inward, allow_invalid_quads, threads, and the
         kind's parameters (nu, mu, pieces ...)."""
         return Coordinates(self, kind, **given)
 
     def coordinates(self, kind: str, points: Any, order: int = 0, **given: Any) -> Arrays:
-        """Coordinates of points: prepare(kind, **options)(points, order)."""
+        """Computes coordinates of points: prepare(kind, **options)(points, order)."""
         return Coordinates(self, kind, **given)(points, order)
 
     def deformer(self, method: str, **given: Any) -> "Deformer":
-        """What poses of this cage do to points, by a method of `names("methods")`. Options as of `prepare`, and digits."""
+        """Prepares a method of `names("methods")`, which moves points with poses of this cage. Options as for `prepare`, and digits."""
         return Deformer(self, method, **given)
 
     def inside(self, points: Any, any_mesh: bool = False, threads: int = 0, **given: Any) -> np.ndarray:
-        """1 for each point inside, 0 on the surface, exactly, and -1 outside: (n,) int32. Arguments as of `places`."""
+        """Returns 1 for each point inside, 0 exactly on the surface, and -1 outside: (n,) int32. Arguments as for `places`."""
         return self.places(points, any_mesh, threads, **given).place
 
     def places(self, points: Any, any_mesh: bool = False, threads: int = 0, **given: Any) -> Places:
-        """Where points lie, with faces and winding numbers.
+        """Returns where points lie, with faces and winding numbers.
 
-        any_mesh: take faces that are no cage: open, turned over, overlapping; inside is then where they wind around the
-        point by more than 1/2. Options: triangulation, flip_inward, keep_quads."""
+        any_mesh: accept open, overlapping or inconsistently oriented faces; a point is then inside if its winding number is
+        above 1/2 or below -1/2. Options: triangulation, flip_inward, keep_quads."""
         key = (any_mesh, tuple(sorted(given.items())))
         if key not in self._inside:
             self._inside[key] = Handle("inside", "inside_make", self._handle.pointer, int(any_mesh), *options(given))
@@ -133,14 +133,14 @@ class Cage:
 
 
 def read(file: Any) -> Cage:
-    """A mesh from an OBJ file; faces of more than four corners are cut in triangles (`warnings` says so)."""
+    """Reads a mesh from an OBJ file; faces of more than four corners are cut in triangles (`warnings` says so)."""
     import os
 
     return Cage._made(Handle("cage", "cage_read", os.fsencode(file)))
 
 
 class Coordinates:
-    """Coordinates of one kind in one cage: call it with points. Safe from any thread."""
+    """Coordinates of one kind in one cage: call it with points. Thread-safe."""
 
     def __init__(self, cage: Cage, kind: str, **given: Any):
         self._handle = Handle("coordinates", "coordinates_make", cage._handle.pointer, kind.encode(), *options(given))
@@ -166,8 +166,8 @@ class Coordinates:
         call("coordinates_elements", pointer, *passed(self.elements), *passed(self.element_faces), *passed(self.normals))
 
     def __call__(self, points: Any, order: int = 0, out: Optional[Arrays] = None) -> Arrays:
-        """Values (n, row); with order=1 also gradients (n, row, dimension), with order=2 Hessians (n, row, dimension,
-        dimension), as a tuple. On the cage limits from inside; NaN for derivatives that do not exist.
+        """Returns values (n, row); with order=1 also gradients (n, row, dimension), with order=2 also Hessians (n, row,
+        dimension, dimension), as a tuple. On the cage they are limits from inside; derivatives that do not exist are NaN.
 
         out: an array for the result, or a tuple of them, to be filled again and again: new memory takes a third of the
         time of cheap coordinates."""
@@ -184,7 +184,7 @@ class Coordinates:
         return found[0] if order == 0 else tuple(found)
 
     def apply(self, points: Any, data: Any) -> np.ndarray:
-        """Sums of coordinates times data (row, functions), without keeping coordinates: (n, functions)."""
+        """Returns sums of coordinates times data (row, functions), without keeping coordinates: (n, functions)."""
         at, given = points_of(points, self.dimension), numbers(data, "data")
         if given.ndim not in (1, 2) or given.shape[0] != self.row:
             raise Error(f"data: the shape is {given.shape}, not ({self.row},) or ({self.row}, functions)")
@@ -195,16 +195,16 @@ class Coordinates:
         return sums
 
     def jvp(self, points: Any, change: Any, out: Optional[np.ndarray] = None) -> np.ndarray:
-        """How the values change along a change of the cage's vertices (vertices, dimension), for points that stay where
-        they are: (n, row). Of kind "green" only, in space and in the plane; NaN on edges and vertices."""
+        """Returns the change of values (n, row) under a change of the cage's vertices (vertices, dimension), to first order,
+        for points that stay where they are. Only for the kind "green"; NaN on edges and vertices."""
         at, given = points_of(points, self.dimension), points_of(change, self.dimension, "change")
         found = result((len(at), self.row), out)
         call("coordinates_jvp", self._handle.pointer, *passed(at), *passed(given), *passed(found))
         return found
 
     def vjp(self, points: Any, weights: Any, out: Optional[np.ndarray] = None) -> np.ndarray:
-        """The transposed derivative times weights of values (n, row): from a function's derivatives by the values to
-        those by the cage's vertices: (vertices, dimension). Kinds as of `jvp`."""
+        """Returns a function's derivatives by the cage's vertices (vertices, dimension) from those by the values (n, row),
+        the weights. Only for the kind "green"."""
         at, given = points_of(points, self.dimension), numbers(weights, "weights")
         if given.shape != (len(at), self.row):
             raise Error(f"weights: the shape is {given.shape}, not {(len(at), self.row)}")
@@ -213,7 +213,7 @@ class Coordinates:
         return found
 
     def split(self, values: np.ndarray) -> Dict[str, np.ndarray]:
-        """Values, gradients or Hessians by block, as views: {"phi": (n, count, ...), "psi": ...}; coordinates that are
+        """Returns values, gradients or Hessians by block, as views: {"phi": (n, count, ...), "psi": ...}; coordinates that are
         matrices have shape (n, count, rows, columns, ...)."""
         parts = {}
         for b in self.blocks:
@@ -234,27 +234,28 @@ class BoundPoints:
 
 
 class Deformer:
-    """What a posed cage does to points, by one method. `images` is safe from any thread, `pose` is not."""
+    """The map of points by a posed cage, with one method. `images` is thread-safe, `pose` is not."""
 
     def __init__(self, cage: Cage, method: str, **given: Any):
         self._handle = Handle("deformer", "deformer_make", cage._handle.pointer, method.encode(), *options(given))
         self.method, self.dimension, self._vertices = method, cage.dimension, len(cage.vertices)
 
     def pose(self, vertices: Any) -> "Deformer":
-        """Takes the posed cage's vertices, in the rest cage's order; returns itself."""
+        """Sets the posed cage's vertices, in the rest cage's order; returns itself."""
         posed = points_of(vertices, self.dimension, "posed vertices")
         call("deformer_pose", self._handle.pointer, *passed(posed))
         return self
 
     def bind(self, points: Any, jacobians: bool = False) -> BoundPoints:
-        """Keeps the points' coordinates, so that `images` of them is quick for any number of poses."""
+        """Computes and keeps the points' coordinates, so that their `images` are quick for any number of poses."""
         at = points_of(points, self.dimension)
         handle = Handle("bound", "deformer_bind", self._handle.pointer, *passed(at), int(jacobians))
         return BoundPoints(handle, len(at), jacobians)
 
     def images(self, points: Any, jacobians: bool = False, out: Optional[np.ndarray] = None) -> Arrays:
-        """Where points, or BoundPoints, go: (n, dimension), and with jacobians=True also (n, component, axis). NaN for
-        points without image, such as those outside the cage by "green". out: an array for the images."""
+        """Returns the images of points or BoundPoints: (n, dimension), and with jacobians=True also the Jacobians (n,
+        component, axis). NaN for points without image, such as those outside the cage with "green". out: an array for the
+        images."""
         bound = isinstance(points, BoundPoints)
         at = None if bound else points_of(points, self.dimension)
         shape = (len(points if bound else at), self.dimension)
@@ -267,18 +268,18 @@ class Deformer:
         return images if maps is None else (images, maps)
 
     def jvp(self, points: Any, change: Any, out: Optional[np.ndarray] = None) -> np.ndarray:
-        """How the images change along a change of the posed vertices (vertices, dimension): the derivative J of images by
-        the pose, times the change: (n, dimension). NaN for points without image.
+        """Returns the change of images (n, dimension) under a change of the posed vertices (vertices, dimension), to first
+        order: the derivative J of images by the pose, times the change. NaN for points without image.
 
-        points: as of `images`. Raises Error for methods without derivatives, naming those that have them."""
+        points: as for `images`. Raises Error for methods without derivatives, naming those that have them."""
         given = points_of(change, self.dimension, "change")
         return self._product("jvp", points, given, lambda count: result((count, self.dimension), out))
 
     def vjp(self, points: Any, weights: Any, out: Optional[np.ndarray] = None) -> np.ndarray:
-        """The transposed J times weights of images (n, dimension): from the derivatives of a function by the images to
-        those by the posed vertices: (vertices, dimension). Weights of points without image must be zero.
+        """Returns a function's derivatives by the posed vertices (vertices, dimension) from those by the images (n,
+        dimension): the transposed J times these weights. Weights of points without image must be zero.
 
-        points: as of `images`. Raises Error as `jvp`."""
+        points: as for `images`. Raises Error as `jvp`."""
         given = points_of(weights, self.dimension, "weights")
         return self._product("vjp", points, given, lambda count: result((self._vertices, self.dimension), out))
 

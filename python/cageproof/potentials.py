@@ -13,7 +13,7 @@ Arrays = Union[np.ndarray, Tuple[np.ndarray, ...]]
 
 
 class Formula(NamedTuple):
-    """What a formula takes and gives per element and point."""
+    """The shape of a formula's input and result for one element and point."""
 
     dimension: int  #: of space
     corners: int  #: of an element
@@ -23,7 +23,7 @@ class Formula(NamedTuple):
 
     @property
     def shape(self) -> Tuple[int, ...]:
-        """Of a result: () for numbers, (corners,), (corners, rows, columns) ..."""
+        """The shape of a result: () for numbers, (corners,), (corners, rows, columns) ..."""
         return self._of(self.rows, self.columns)
 
     def _of(self, *matrix: int) -> Tuple[int, ...]:
@@ -32,7 +32,7 @@ class Formula(NamedTuple):
 
 
 def formula(name: str) -> Formula:
-    """The shape of a formula of `names("formulas")`."""
+    """Returns the shape of a formula of `names("formulas")`."""
     found = CFormula()
     call("formula_of", name.encode(), byref(found))
     return Formula(found.dimension, found.corners, found.tensors, found.rows, found.columns)
@@ -79,7 +79,7 @@ def evaluate(
     side: str = "inside",
     **given: Any,
 ) -> Arrays:
-    """One result per pair of an element and a point; one of either goes with all of the other.
+    """Computes one result per pair of an element and a point, or of one with all of the other.
 
     elements: (n, corners, dimension) or one element; points: (n, dimension) or one point. Values are (n,) + shape of the
     formula; with order=1 also gradients by the point, with order=2 Hessians, as a tuple. evaluation: one of
@@ -103,7 +103,7 @@ def potentials(
     side: str = "inside",
     **given: Any,
 ) -> Arrays:
-    """All pairs of points and elements: (points, elements) + shape of the formula; or, with densities, their sums over
+    """Computes all pairs of points and elements: (points, elements) + shape of the formula; or, with densities, their sums over
     elements, which keep no pairs.
 
     densities: (elements,), of formulas per corner (elements, corners), of matrices with a last axis for columns; one more

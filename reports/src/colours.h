@@ -21,7 +21,7 @@ inline constexpr std::array kCurveColours{"#0072b2", "#d55e00", "#009e73", "#cc7
 inline constexpr const char* kInfiniteColour = "#d62728";
 inline constexpr const char* kMaskedColour = "#c8c8c8";
 
-/// One value a sample, ready to be drawn on a linear colour axis.
+/// One value per sample, ready to be drawn on a linear colour axis.
 struct Colours {
   std::vector<double> values;  ///< log10 of the magnitude on a logarithmic scale; NaN masked, +infinity infinite
   double low = 0, high = 1;    ///< limits of the colour axis, low < high

@@ -164,7 +164,7 @@ Renamed read_renamed(const std::filesystem::path& path) {
   if (!json.is_object()) throw InputError(fmt::format("{}: not a JSON object", path.string()));
   for (const auto& [name, value] : json.items()) {
     if (!value.is_string())
-      throw InputError(fmt::format("{}: what \"{}\" became is not a string", path.string(), name));
+      throw InputError(fmt::format("{}: the new name of \"{}\" is not a string", path.string(), name));
     renamed[name] = value.get<std::string>();
   }
   return renamed;

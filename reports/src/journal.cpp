@@ -250,7 +250,7 @@ int locked_file(const fs::path& path) {
   if (locked == 0) return file;
   const int reason = errno;
   ::close(file);
-  if (reason == EWOULDBLOCK) throw InputError(fmt::format("{}: another process writes to it", path.string()));
+  if (reason == EWOULDBLOCK) throw InputError(fmt::format("{}: another process is writing to it", path.string()));
   fail_journal(path, fmt::format("it cannot be locked against a second process that writes to it ({}); choose a folder "
                                  "on a file system that has locks",
                                  std::generic_category().message(reason)));
@@ -285,7 +285,7 @@ JournalWriter::~JournalWriter() { ::close(file_); }
 void JournalWriter::append(const std::string& line) {
   const std::scoped_lock lock(mutex_);
   // After a torn line nothing may follow: torn, the last line can be told and dropped.
-  if (failed_) fail_journal(path_, "a line before could not be written");
+  if (failed_) fail_journal(path_, "an earlier line could not be written");
   const ssize_t written = ::write(file_, line.data(), line.size());
   if (written == static_cast<ssize_t>(line.size())) return;
   failed_ = true;

@@ -73,7 +73,7 @@ void append_bytes(std::string& bytes, const T& x) {
 }  // namespace
 
 PartialMeshText stl_text(const Mesh& mesh) {
-  if (mesh.faces.empty()) throw InputError("no faces, and STL has nothing else");
+  if (mesh.faces.empty()) throw InputError("no faces, and STL holds only faces");
   const StlTriangles triangles = triangles_of(mesh);
   if (triangles.corners.size() > std::numeric_limits<std::uint32_t>::max())
     throw InputError(fmt::format("{} triangles, more than the 4294967295 that STL counts", triangles.corners.size()));

@@ -138,7 +138,7 @@ void note_changes(const Mesh& mesh, const std::vector<Chain>& chains, PartialMes
 }  // namespace
 
 PartialMeshText svg_text(const Mesh& mesh) {
-  if (mesh.segments.empty()) throw InputError("no polylines, and SVG is written with nothing else");
+  if (mesh.segments.empty()) throw InputError("no polylines, and SVG files hold only these");
   const std::vector<Chain> chains = Chains(mesh).all();
   PartialMeshText made{opening_text(mesh.vertices)};
   for (const Chain& chain : chains) made.text += element_text(mesh, chain);

@@ -211,7 +211,7 @@ WorstLine read_line(const LineReader& in) {
   line.worst.parameter = in.number("parameter");
   line.worst.sample = in.count("sample");
   for (const Json& flag : in.array("flags")) {
-    if (!flag.is_string()) in.fail("\"flags\" holds what is no string");
+    if (!flag.is_string()) in.fail("\"flags\" holds something that is not a string");
     line.flags.push_back(flag.get<std::string>());
   }
   const Json& corners = in.array("element");

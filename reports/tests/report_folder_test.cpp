@@ -210,7 +210,8 @@ TEST(ReportFolder, OfARunThatDiedHoldsItsJournalAndCanBeReplaced) {
   EXPECT_FALSE(fs::exists(out / "earlier.summary.json.gz"));
   begin_run(out, header(), {});
   const JournalWriter somebody_writes(journal);
-  EXPECT_NE(message_of([&] { begin_run(out, header(), {}); }).find("another process writes to it"), std::string::npos);
+  EXPECT_NE(message_of([&] { begin_run(out, header(), {}); }).find("another process is writing to it"),
+            std::string::npos);
   EXPECT_NE(message_of([&] { journal_in(scratch.path()); }).find("there is no journal"), std::string::npos);
 }
 

@@ -245,7 +245,7 @@ TEST_F(WorstFile, BadLinesAreNamed) {
   expect(changed("error", "big"), "\"error\" is not a number");
   expect(changed("sample", 1.5), "\"sample\" is not a count");
   expect(changed("flags", "near-edge"), "\"flags\" is not an array");
-  expect(changed("flags", {1}), "\"flags\" holds what is no string");
+  expect(changed("flags", {1}), "\"flags\" holds something that is not a string");
   expect(changed("scalar", 64), "\"scalar\" is not a string");
   expect(changed("parameters", 1), "\"parameters\" is not an object");
   expect(changed("ordre", 1), R"(unknown key "ordre"; did you mean "order"? known: formula, evaluation)");

@@ -96,7 +96,7 @@ if command -v clang-tidy-16 >/dev/null; then
   printf 'int one();\ninline char* none() { return 0; }\n' >core/src/first.h
   commit broken
   expect 1 '0 of 1 sources are clean, 1 are not' scripts/check_tidy.sh HEAD~2
-  # What only a merge changes is looked at, too.
+  # check_tidy.sh also looks at changes that only a merge makes.
   base=$(git rev-parse HEAD)
   git checkout -q -b side HEAD~1 && printf '// Side.\n' >core/src/side.h && commit side
   git checkout -q - && git -c user.name=test -c user.email=test@example.org merge -q --no-commit side >/dev/null 2>&1

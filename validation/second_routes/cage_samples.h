@@ -21,7 +21,7 @@ std::vector<Touching> centroids(const CageElements& elements, int level);
 /// The basis functions of a sample's corners, which sum to one exactly.
 std::vector<Wide> basis_of(const CageElements& elements, const Touching& sample);
 
-/// One row a sample: the hat functions of the vertices there.
+/// One row per sample: the hat functions of the vertices there.
 Table<Wide> hat_functions(const CageElements& elements, const std::vector<Touching>& samples);
 
 /// Rows that [T24] calls phi, psi, phibar and psibar, one row per sample.

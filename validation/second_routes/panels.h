@@ -26,7 +26,7 @@ std::vector<double> panel_ends(const std::vector<std::complex<double>>& poles);
 /// Where the squared length of (1 - t) a + t b vanishes: a pair of conjugates, or nothing for vectors that are equal.
 std::vector<std::complex<double>> zeros_of_length(const Vec3<double>& a, const Vec3<double>& b);
 
-/// Adds up f(t) dt over the panels, with f(t, weight) called once a node.
+/// Adds up f(t) dt over the panels, with f(t, weight) called once per node.
 template <class F>
 void over_panels(const std::vector<double>& ends, const F& f) {
   const GaussRule& rule = gauss_rule();

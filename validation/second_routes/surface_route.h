@@ -33,7 +33,7 @@ class SurfaceRoute {
   Evaluation double_layer_, single_layer_;
   std::vector<std::array<int, 3>> numbers_;  ///< of each triangle's vertices
   std::vector<Corners> triangles_, quarters_;
-  Table<Mp200> slopes_;  ///< normal derivatives at corners of quarters, a column a vertex
+  Table<Mp200> slopes_;  ///< normal derivatives at corners of quarters, one column per vertex
 };
 
 }  // namespace cageproof::second_routes

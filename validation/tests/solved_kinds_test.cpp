@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Kinds that are solved once a cage, judged like all others.
+// Kinds that are solved once per cage, judged like all others.
 #include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/promise.h"

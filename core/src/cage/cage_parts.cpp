@@ -30,7 +30,7 @@ std::vector<FaceCrossing> crossings_of(const Candidate& cage) {
   }
 }
 
-// By number a face: surfaces in space, loops in the plane.
+// One entry per face: surfaces in space, loops in the plane.
 std::vector<int> part_numbers(const Candidate& cage) {
   if (!is_plane(cage)) return surfaces_of(cage.vertices, cage.faces);
   Connected connected(cage.vertices.size());

@@ -43,8 +43,8 @@ std::vector<std::string> names_in(std::string_view pattern) {
   std::vector<std::string> names;
   any_part(pattern, [&](std::string_view part) {
     if (part.empty())
-      throw InputError(
-          fmt::format("'{}' is no list of names: write names or globs with commas between, as near-*,far", pattern));
+      throw InputError(fmt::format(
+          "'{}' is no list of names: write names or globs with commas between, such as near-*,far", pattern));
     names.emplace_back(part);
     return false;
   });

@@ -19,7 +19,8 @@ namespace {
 enum class Energy { Laplacian, Hessian, Normal };
 enum class Alignment { Hard, Soft, Free, NonNegative };
 
-// An operator of second derivatives of phi, psi, phibar and psibar at samples: as many rows a sample as it has numbers.
+// An operator of second derivatives of phi, psi, phibar and psibar at samples: as many rows per sample as it has
+// numbers.
 template <Scalar R>
 std::array<Matrix<R>, 4> second_derivatives(Energy energy, const CageCoordinates& coordinates,
                                             const std::vector<Touching>& samples) {
@@ -45,7 +46,7 @@ std::array<Matrix<R>, 4> second_derivatives(Energy energy, const CageCoordinates
   return found;
 }
 
-// A column an element: sums of those of its normals, which basis functions multiply.
+// One column per element: sums of those of its normals, which basis functions multiply.
 template <Scalar R>
 Matrix<R> by_elements(const Matrix<R>& of_normals, const CageCoordinates& coordinates) {
   const CageElements& elements = coordinates.elements();

@@ -69,7 +69,8 @@ class LayerDeformer : public Deformer<R> {
 
   /// The rest cage under the similarity next to the pose. Its densities, and its second derivatives, are
   /// zero by what layers are. Sums of layers give zero only up to their roundings, which a system's condition
-  /// multiplies. So a method asks its system for what the pose has beside this, and rigid poses keep their digits.
+  /// multiplies. So a method asks its system only for the difference between the pose and this, and rigid poses keep
+  /// their digits.
   Similar<R> similar_to(const std::vector<Vec3<R>>& posed) const {
     using std::isfinite;
     const CageElements& elements = coordinates_.elements();

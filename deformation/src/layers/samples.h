@@ -18,9 +18,10 @@ struct SampledLayers {
   double unit = 1;  ///< the power of two next to the cage's size, in the user's unit
   double size = 1;  ///< of the cage, in that unit
   std::vector<Touching> samples;
-  Matrix<R> hats;                      ///< of vertices: M
-  Matrix<R> phi, psi, phibar, psibar;  ///< a column a vertex, or an element; of kept quads a normal (Owner::Normal)
-  Matrix<R> neumann;                   ///< what multiplies normal derivatives: psi, or a column a corner
+  Matrix<R> hats;  ///< of vertices: M
+  Matrix<R> phi, psi, phibar,
+      psibar;         ///< one column per vertex, or per element; on kept quads per normal (Owner::Normal)
+  Matrix<R> neumann;  ///< the factor of normal derivatives: psi, or one column per corner
 };
 
 /// Limits of the layers and their derivatives up to an order. Those of phi sum to one, and their derivatives to

@@ -22,8 +22,8 @@ namespace {
 
 void check_thickness(const Cage& cage, const Constraints& constraints, const ThicknessOptions& options) {
   if (cage.dimension() != 2) throw InputError(fmt::format("{}: thickness is kept only in the plane", cage.name()));
-  if (options.samples < 1) throw InputError(fmt::format("samples = {}: at least 1 is wanted", options.samples));
-  if (options.steps < 1) throw InputError(fmt::format("steps = {}: at least 1 is wanted", options.steps));
+  if (options.samples < 1) throw InputError(fmt::format("samples = {}: must be at least 1", options.samples));
+  if (options.steps < 1) throw InputError(fmt::format("steps = {}: must be at least 1", options.steps));
   if (!constraints.orientations.empty() || !constraints.rotations.empty() || !constraints.hessians.empty())
     throw ConstraintError("thickness takes only positions");
   const auto& positions = constraints.positions;

@@ -15,7 +15,7 @@ namespace {
 
 void check_weight(const char* name, double weight) {
   if (!std::isfinite(weight) || weight < 0)
-    throw InputError(fmt::format("{} = {} is no weight: weights are finite and at least 0", name, weight));
+    throw InputError(fmt::format("{} = {}: a weight must be finite and at least 0", name, weight));
 }
 
 // One row per point and derivative, from `first` on, for each component that is not served alike.
@@ -75,13 +75,13 @@ std::vector<Vec3<double>> places_of(const auto& constraints) {
 
 void check_constraints(const Constraints& constraints, const VariationalOptions& options, int dimension) {
   if (options.subspace == Subspace::Elastic && !has_stress(options.nu))
-    throw InputError(fmt::format("nu = {}: it is between -1 and 1/2, both excluded, or infinite", options.nu));
+    throw InputError(fmt::format("nu = {}: must be between -1 and 1/2, both excluded, or infinite", options.nu));
   check_weight("alpha", options.alpha);
   check_weight("beta", options.beta);
   check_weight("gamma", options.gamma);
-  if (options.steps < 1) throw InputError(fmt::format("steps = {}: at least 1 is wanted", options.steps));
+  if (options.steps < 1) throw InputError(fmt::format("steps = {}: must be at least 1", options.steps));
   if (!std::isfinite(options.tolerance) || options.tolerance < 0)
-    throw InputError(fmt::format("tolerance = {}: it is finite and at least 0", options.tolerance));
+    throw InputError(fmt::format("tolerance = {}: must be finite and at least 0", options.tolerance));
   if (constraints.positions.empty() && constraints.orientations.empty() && constraints.rotations.empty() &&
       constraints.hessians.empty())
     throw ConstraintError("there are no constraints");

@@ -23,7 +23,7 @@ inline unsigned bits_of_lanes(Mask m) {
   return bits;
 }
 
-/// A complex number a point.
+/// One complex number per point.
 struct Complex {
   Lanes re{}, im{};
 };

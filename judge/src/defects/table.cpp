@@ -44,7 +44,7 @@ constexpr std::array kDefects{
            "pass the parameter through; refuse it where it is not supported", "coordinates.md#the-blocks-of-each-kind"},
     Defect{"quadrature_near", "A fixed quadrature is right far away and wrong near the element.",
            "errors vanish some sizes away, and are large within one size", "take the closed form near the element",
-           "work_precision.md#what-is-measured"},
+           "benchmarks.md#what-is-measured"},
     Defect{"right_after_normalising", "Values are right only after they are divided by their sum.",
            "theirs is ours times a factor that depends on the point and is the same for all corners",
            "leave no factor of the element out: it does not cancel between elements",
@@ -121,7 +121,7 @@ std::span<const Defect> defects() { return kDefects; }
 const Defect& defect_named(std::string_view key) {
   for (const Defect& defect : kDefects)
     if (defect.key == key) return defect;
-  throw InputError(fmt::format("no defect is named {}: docs/defects.md has all", key));
+  throw InputError(fmt::format("no defect is named {}: docs/defects.md lists all", key));
 }
 
 }  // namespace cageproof::judge

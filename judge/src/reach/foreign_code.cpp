@@ -241,7 +241,7 @@ std::pair<std::string, std::string> name_and_what(const std::string& text) {
   static const std::regex form(R"(([A-Za-z][A-Za-z0-9_.+-]*)=(.*\S.*))");
   std::smatch parts;
   if (!std::regex_match(text, parts, form))
-    throw InputError(fmt::format("'{}' is not NAME=WHAT, as mine=./libmine.so or mine='./my_program'", text));
+    throw InputError(fmt::format("'{}' is not NAME=WHAT, such as mine=./libmine.so or mine='./my_program'", text));
   return {parts[1], parts[2]};
 }
 

@@ -141,7 +141,7 @@ void require_names(std::span<const cageproof_option> options, std::initializer_l
     require(option.name, "an option's name");
     if (std::ranges::find(taken, std::string_view(option.name)) == taken.end())
       throw InputError(
-          fmt::format("option {}: there is none of that name here, but {}", option.name, fmt::join(taken, ", ")));
+          fmt::format("option {}: no such option here; there are {}", option.name, fmt::join(taken, ", ")));
   }
 }
 

@@ -29,7 +29,7 @@ PointPlaces places_of(const Cage& cage, bool any_mesh, std::span<const cageproof
   const Options options = options_of(others.data(), others.size());
   if (!any_mesh) return {checked_cage(cage, options), keep_quads, triangulation_of(options)};
   if (keep_quads || options.flip_inward)
-    throw InputError("any mesh is taken as it is: without keep_quads and flip_inward");
+    throw InputError("any_mesh takes meshes as they are: leave out keep_quads and flip_inward");
   if (cage.dimension != 3) throw InputError(fmt::format("{}: any mesh lies in space, not in the plane", cage.name));
   return {vectors_of(cage.vertices, 3, "vertices"), cage.faces};
 }

@@ -225,7 +225,7 @@ class Integrator {
     });
   }
 
-  // n Gauss nodes on [-1, 1] are off by at most 64/15 M rho^(-2n) / (1 - rho^(-2)), n >= 2 (docs/certified.md).
+  // n Gauss nodes on [-1, 1] are off by at most 64/15 M rho^(-2n) / (1 - rho^(-2)), n >= 2 (README.md).
   static Real truncation_factor(const Panel& panel) {
     if (panel.rho == 0) return Real(0);
     const Real inverse = Real(1) / Real::exactly(panel.rho);

@@ -69,7 +69,7 @@ class SeenTriangle final : public SeenElement {
   const Moments& moments_;
 };
 
-/// The moments, by one-dimensional integrals over the edges (docs/certified.md), at working_bits.
+/// The moments, by one-dimensional integrals over the edges (README.md), at working_bits.
 ///
 /// \param goal truncation error wanted, in bits below the largest contribution to each moment: a wish that decides how
 /// much is spent; what was reached is in the radii

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Coordinates of polygons that are layers of the boundary with densities solved for once a cage.
+// Coordinates of polygons that are layers of the boundary with densities solved for once per cage.
 #pragma once
 
 #include "boundary_layers.h"
@@ -35,8 +35,8 @@ struct Densities {
   };
   std::vector<Share> shares;
   std::vector<SolvedSystem> systems;  ///< in double alone, and where asked for
-  /// What rounding to double left of `own`, where it was solved in 50 digits: without it affine maps, of which `own`
-  /// vanishes, would keep the roundings of its large numbers. Empty where it was not.
+  /// The part of `own` that rounding to double dropped, where `own` was solved in 50 digits; otherwise empty. Affine
+  /// maps, for which `own` vanishes, would otherwise keep the roundings of its large numbers.
   Matrix<R> rest = {};
 };
 

@@ -21,7 +21,7 @@ class RefinedPolygon {
  public:
   enum class Unit { Diameter, Own };
 
-  /// \param pieces an edge, at least 1 \pre the cage is in the plane
+  /// \param pieces per edge, at least 1 \pre the cage is in the plane
   /// \throws InputError when there would be more than most_nodes
   RefinedPolygon(const Cage& cage, int pieces, Unit unit = Unit::Diameter);
 

@@ -41,8 +41,8 @@ class ElasticLayers {
 
   /// The boundary's equation K t = (H - T) u, with two rows per collocation point.
   struct Equations {
-    Matrix<R> displacement;  ///< K: two columns a piece, of tractions that are constant on it
-    Matrix<R> data;          ///< H - T: two columns a vertex, of displacements that are affine on edges
+    Matrix<R> displacement;  ///< K: two columns per piece, of tractions that are constant on it
+    Matrix<R> data;          ///< H - T: two columns per vertex, of displacements that are affine on edges
   };
   Equations equations(std::span<const CollocationPoint> points) const;
 

@@ -148,8 +148,8 @@ class GoursatCoordinates final : public CoordinatesInDouble<GoursatCoordinates>,
 template <Equation Kind>
 std::shared_ptr<const PreparedCoordinates> prepare(const Cage& cage, const CoordinateOptions& options) {
   if (!options.evaluation.empty() && options.evaluation != kEvaluation)
-    throw InputError(fmt::format("no evaluation is called \"{}\"; Goursat coordinates have {} alone",
-                                 options.evaluation, kEvaluation));
+    throw InputError(fmt::format("no evaluation is called \"{}\"; Goursat coordinates have only {}", options.evaluation,
+                                 kEvaluation));
   return std::make_shared<GoursatCoordinates>(cage, Kind);
 }
 

@@ -49,8 +49,7 @@ class Hunter {
     for (const Regime& regime : regimes()) known.push_back(regime.name);
     for (const std::string& name : names_in(options.regimes))
       if (name == hull_regime || name == hunted_regime)
-        throw InputError(
-            fmt::format("regime '{}': `verify` alone has it; others are {}", name, fmt::join(known, ", ")));
+        throw InputError(fmt::format("regime '{}': only `verify` has it; others are {}", name, fmt::join(known, ", ")));
     require_known("regime", options.regimes, known);
     for (const Regime& regime : regimes())
       if (matches(options.regimes, regime.name) && exists_for(regime, options.formula->element))

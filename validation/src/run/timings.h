@@ -20,7 +20,7 @@ class Timings {
   /// \throws InputError when it cannot be written
   explicit Timings(std::filesystem::path path);
   void add(std::string measurement, int block, double seconds);
-  /// One line a unit, the costliest first: seconds, measurement, block.
+  /// One line per unit, the costliest first: seconds, measurement, block.
   /// \throws InputError when it cannot be written
   void write();
 

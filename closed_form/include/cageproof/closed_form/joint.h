@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joint evaluation: several closed forms on one element, with everything that they share computed once a point.
+// Joint evaluation: several closed forms on one element, with everything that they share computed once per point.
 #pragma once
 
 #include "cageproof/closed_form/put.h"

@@ -28,7 +28,7 @@ Vec3<double> outward(Corners corners) {
 
 constexpr std::array<double, 4> a{1, 0, 0, 0}, b{0, 1, 0, 0}, ab{.5, .5, 0, 0};
 constexpr std::array<ElementPart, 2> parts{ElementPart{a, ab}, ElementPart{ab, b}};
-// The last lies between the nodes of four pieces an edge, and their middles.
+// The last lies between the nodes of four pieces per edge, and their middles.
 constexpr std::array<std::array<int, 4>, 3> interior_points{std::array{8, 8, 0, 0}, std::array{12, 4, 0, 0},
                                                             std::array{11, 5, 0, 0}};
 

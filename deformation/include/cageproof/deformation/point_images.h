@@ -35,7 +35,7 @@ struct ImageRun {
   bool extend = false;
 };
 
-/// Coordinates are computed once a point, whatever the number of maps.
+/// Coordinates are computed once per point, whatever the number of maps.
 /// \param region outside which points are missing, unless they are extended to; nothing: none is for its place
 /// \pre the maps are made from the coordinates, which have derivatives of that order
 PointImages images_of(const CageCoordinates& coordinates, std::span<const Vec3<double>> points,

@@ -47,9 +47,9 @@ template <Scalar R>
 R stretch_of(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element,
              int corner = 0);
 
-/// A row a normal (Owner::Normal): of a flat element its posed unit normal times its stretch, of a quad's corner what
-/// quad_normals() says. Elements without area are an error that names them, unless the stretch is Area or Product,
-/// which take them for zero.
+/// One row per normal (Owner::Normal): for a flat element its posed unit normal times its stretch, for a quad's corner
+/// the result of quad_normals(). Elements without area are an error that names them, unless the stretch is Area or
+/// Product, which take them for zero.
 template <Scalar R>
 std::vector<Vec3<R>> stretched_normals(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices);
 

@@ -68,7 +68,7 @@ std::string vectors_text(const VectorSet& set);
 struct VectorTables {
   std::vector<double> inputs;        ///< corners, point, parameters
   std::vector<double> truths;        ///< value, gradient, Hessian: each number as a sum of two doubles
-  std::vector<double> denominators;  ///< one an order
+  std::vector<double> denominators;  ///< one per order
   std::size_t input_columns = 0, truth_columns = 0;
 };
 VectorTables vectors_tables(const VectorSet& set);

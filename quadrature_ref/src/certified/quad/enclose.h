@@ -15,7 +15,7 @@ struct QuadEnclosure {
   std::size_t nodes = 0;
 };
 
-/// The enclosure at the working_bits (docs/certified.md). Nothing where the point is on the quad, or too close to it,
+/// The enclosure at the working_bits (../README.md). Nothing where the point is on the quad, or too close to it,
 /// of a quad whose normals vanish all over it, of an input that is not finite, and where work_left would not suffice.
 ///
 /// \param goal truncation error wanted, in bits below the largest contribution: a wish; what was reached is in the

@@ -117,7 +117,7 @@ LineSum mean_distance() {
   return sum + square * bracket;
 }
 
-// The integrals that all others are derivatives of (docs/certified.md).
+// The integrals that all others are derivatives of (../README.md).
 LineSum base(int i, int j, int q) {
   LineSum sum;
   if (q == 3) {

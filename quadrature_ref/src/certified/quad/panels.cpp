@@ -141,7 +141,7 @@ class Planner {
   }
 
   // Gauss-Legendre's n nodes on [-1, 1] are off by at most 64/15 M rho^(-2n)/(1 - rho^(-2)), n >= 2
-  // (docs/certified.md), M a bound in the ellipse, which is inside the disc of its semi-major axis.
+  // (../README.md), M a bound in the ellipse, which is inside the disc of its semi-major axis.
   bool bound(QuadPanel& panel, const Surroundings& around, double semi_major) const {
     const WorkingBits planning(planning_bits / 4);
     const double rho = semi_major + std::sqrt(semi_major * semi_major - 1);

@@ -9,7 +9,7 @@
 
 namespace cageproof::quadrature_ref::certified {
 
-/// A segment's moments, each computed when it is first asked for, by recurrences (docs/certified.md) that end at the
+/// A segment's moments, each computed when it is first asked for, by recurrences (../README.md) that end at the
 /// segment's ends. At the working_bits of its construction. Not safe from several threads.
 class SegmentMoments final : public SeenElement {
  public:

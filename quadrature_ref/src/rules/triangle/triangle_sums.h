@@ -18,7 +18,7 @@ class FarSum final : public ConvergingSum {
   Result<Mp200> at_precision(int n);
 
   const TriangleFrame<Mp200>& triangle_;
-  double log10_rate_;   ///< digits gained by one more point a side
+  double log10_rate_;   ///< digits gained by one more point per side
   bool finer_ = false;  ///< see PolarSum
 };
 

@@ -14,7 +14,7 @@ namespace cageproof::reports {
 struct FieldScene {
   std::string title;
   std::string explanation;            ///< a sentence: what is compared with what
-  std::vector<std::string> compared;  ///< arrays of image and mesh, one an evaluation, "gauss-8: relative error"
+  std::vector<std::string> compared;  ///< arrays of image and mesh, one per evaluation, "gauss-8: relative error"
   ImageField image;
   MeshField cage;  ///< vertices and faces, without arrays
   MeshField mesh;  ///< without vertices: there is none

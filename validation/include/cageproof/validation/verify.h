@@ -31,10 +31,10 @@ struct Suite {
   int block_points;        ///< a cage and kind, for block errors of evaluations of whole coordinates, at most
   int block_milliseconds;  ///< that their truths may cost (BlockCampaignOptions)
   int mesh_points;         ///< of a mesh, at most, for each kind of coordinates; 0: all
-  int slice;               ///< samples a side of the fields of linear reproduction
+  int slice;               ///< samples per side of the fields of linear reproduction
   int pairs;               ///< multiprecision evaluations a field of errors may cost
   int scene_pairs;         ///< and a scene of errors side by side
-  int scene_side;          ///< samples a side of these at most
+  int scene_side;          ///< at most this many samples per side of these
   std::string_view scene_cage;  ///< the one embedded cage that gets a scene of errors; empty: every cage gets one
   int shown_elements;           ///< embedded cages with more elements get no fields; 0: all get them
   bool has_time_limit;          ///< a verdict in minutes: what takes its time and is not judged there is left out

@@ -20,9 +20,9 @@ namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
 inline constexpr int kLanes = CAGEPROOF_LANES;
 
-/// One number a point.
+/// One number per point.
 using Lanes = double __attribute__((vector_size(8 * CAGEPROOF_LANES)));
-/// One truth value a point: all bits, or none. Also the bits of numbers.
+/// One truth value per point: all bits, or none. Also the bits of numbers.
 using Mask = std::int64_t __attribute__((vector_size(8 * CAGEPROOF_LANES)));
 using Bits = std::uint64_t __attribute__((vector_size(8 * CAGEPROOF_LANES)));
 

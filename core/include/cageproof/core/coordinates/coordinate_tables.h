@@ -6,7 +6,7 @@
 
 namespace cageproof {
 
-/// One table a block for so many points, set to zero.
+/// Returns one table per block for this many points, set to zero.
 template <Scalar R>
 std::vector<CoordinateTable<R>> zero_tables(const std::vector<CoordinateBlock>& blocks, int dimension,
                                             std::size_t points, int order) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cage coordinates: a kind of coordinates, prepared for one cage, asked at points. How they are computed (sums over
-// elements, a system solved once a cage, directly) is the kind's own affair.
+// Cage coordinates: a kind of coordinates, prepared for one cage, and asked at points. Each kind decides how it
+// computes them: by sums over elements, by a system that it solves once per cage, or directly.
 #pragma once
 
 #include "cageproof/core/coordinates/prepared_coordinates.h"

@@ -143,7 +143,7 @@ class AppliesData {
 /// Laplacians on the boundary, which were solved for, as linear maps from the data that blocks multiply there.
 class SolvesLaplacians {
  public:
-  /// At the nodes that it is solved at, in the user's unit of length. One table a block, of values only,
+  /// At the nodes that it is solved at, in the user's unit of length. One table per block, of values only,
   /// [node][coordinate]: l = sum over blocks of table times data ([W12] Eq 17-19: B U_f and C U_d). Nodes are the
   /// cage's vertices, then what divides its edges.
   virtual void fill_boundary_laplacians(std::vector<CoordinateTable<double>>& tables) const = 0;
@@ -167,7 +167,7 @@ class PreparedCoordinates {
   /// Whether preparing a cage in that scalar takes only about a second: not where large systems are solved in
   /// multiprecision.
   virtual bool is_prompt_in(ScalarKind /*scalar*/) const { return true; }
-  /// One table a block, sized and set to zero by the caller. Where a point is exactly a double and lies on the cage,
+  /// One table per block, sized and set to zero by the caller. Where a point is exactly a double and lies on the cage,
   /// values are the limits from inside: interpolating kinds give the basis functions; derivatives that do not exist are
   /// NaN. Points without coordinates are NaN. \pre order <= max_order()
   virtual void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Least squares by a factorisation that finds the rank: what kinds and deformers solve once a cage.
+// Least squares by a factorisation that finds the rank: kinds and deformers solve such systems once per cage.
 #pragma once
 
 #include "cageproof/core/coordinates/coordinates.h"

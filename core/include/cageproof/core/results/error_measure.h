@@ -13,7 +13,7 @@
 
 namespace cageproof {
 
-/// Counts of errors, ten bins a decade from 1e-6 to 1e24, with the exact maximum. Errors are >= 0, or infinite for a
+/// Counts of errors, ten bins per decade from 1e-6 to 1e24, with the exact maximum. Errors are >= 0, or infinite for a
 /// result that is not finite where the truth is. Merging is associative and commutative, so any schedule gives the same
 /// histogram.
 class ErrorHistogram {

@@ -21,7 +21,7 @@ struct FieldPart {
   std::size_t first = 0;    ///< the first sample of this part
   ImageField image;         ///< values from `first` on; for a mesh the grid means nothing
   std::string cage = {};    ///< the mesh whose outline is drawn over it: the cage, or the element; empty for none
-  /// Fields of one scene are opened together, and in each of them these arrays, one an evaluation, are shown side by
+  /// Fields of one scene are opened together, and in each of them these arrays, one per evaluation, are shown side by
   /// side on one scale of colours. Empty for fields by themselves.
   std::string scene = {};
   std::vector<std::string> compared = {};

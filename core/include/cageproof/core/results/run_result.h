@@ -38,7 +38,7 @@ struct ResultRow : RowKey, RowFigures {
 /// Largest relative error against the regime's parameter: one curve of a picture.
 struct ResultCurve : RowKey {
   std::string parameter_name;      ///< "distance / size", "aspect" ...
-  std::vector<double> parameters;  ///< rising or falling, one a decade
+  std::vector<double> parameters;  ///< rising or falling, one per decade
   std::vector<double> errors;      ///< largest relative one, in roundings of the scalar; infinite: not finite
   std::string role = {};           ///< of the evaluation, as in RowFigures
 };
