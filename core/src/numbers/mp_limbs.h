@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sums and products in half of MPFR's time, because the number of limbs is known when they are compiled: most of a
+// Sums and products in two thirds of MPFR's time, because the number of limbs is known when they are compiled: most of a
 // verification's time goes into numbers of 50 and 100 digits. The results are MPFR's to the last bit: the nearest
 // numbers, and the even one where two are equally near.
 #pragma once
@@ -102,7 +102,7 @@ class Limbs {
 
   static mpfr_exp_t exponent_of(mpfr_srcptr x) { return mpfr_custom_get_exp(x); }
   static const Limb* limbs_of(mpfr_srcptr x) { return static_cast<const Limb*>(mpfr_custom_get_significand(x)); }
-  // What is not a regular number has one of the least exponents.
+  // Zero, infinities and NaN have the least exponents.
   static bool is_ordinary(mpfr_srcptr x) { return std::abs(exponent_of(x) / 2) < mpfr_exp_t{1} << 30; }
 
   static bool is_smaller(mpfr_srcptr a, mpfr_srcptr b) {
