@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -93,6 +94,44 @@ TYPED_TEST(mp, arithmetic_is_boosts) {
       this->expect_same(atan2(a, b), atan2(p, q), "atan2");
       this->expect_same(copysign(a, b), copysign(p, q), "copysign");
     }
+}
+
+// Factors and divisors are given to MPFR without their limbs that are zero: the results are the same to the last bit.
+TYPED_TEST(mp, arithmetic_is_mpfrs_whatever_limbs_are_zero) {
+  RandomStream random(11, "mp", 0);
+  mpfr_t expected;
+  mpfr_init2(expected, TypeParam::bits);
+  const auto expect_expected = [&](const TypeParam& found, const char* what) {
+    EXPECT_TRUE(mpfr_equal_p(found.data(), expected) != 0 && mpfr_signbit(found.data()) == mpfr_signbit(expected))
+        << what << ": " << found;
+  };
+  for (int i = 0; i < 5000; ++i) {
+    // Exponents that are equal, neighbours, as far apart as there are bits, and further.
+    const int apart = std::array{0, 1, 3, 400, 1200}[random.below(5)];
+    const TypeParam a = of_random_limbs<TypeParam>(random, 0);
+    TypeParam b = of_random_limbs<TypeParam>(random, random.below(2 * apart + 1) - apart);
+    if (i % 8 == 0) b = a + ldexp(a, -random.below(TypeParam::bits + 8));
+    mpfr_add(expected, a.data(), b.data(), MPFR_RNDN);
+    expect_expected(a + b, "+");
+    mpfr_sub(expected, a.data(), b.data(), MPFR_RNDN);
+    expect_expected(a - b, "-");
+    mpfr_mul(expected, a.data(), b.data(), MPFR_RNDN);
+    expect_expected(a * b, "*");
+    TypeParam c = a;
+    expect_expected(c *= b, "* in place");
+    mpfr_sqr(expected, b.data(), MPFR_RNDN);
+    c = b;
+    expect_expected(c *= c, "the square in place");
+    mpfr_div(expected, a.data(), b.data(), MPFR_RNDN);
+    expect_expected(a / b, "/");
+    c = a;
+    expect_expected(c /= b, "/ in place");
+    mpfr_mul_d(expected, a.data(), 0.1, MPFR_RNDN);
+    expect_expected(a * 0.1, "* a double");
+    mpfr_div_si(expected, a.data(), -7, MPFR_RNDN);
+    expect_expected(a / -7, "/ an integer");
+  }
+  mpfr_clear(expected);
 }
 
 TYPED_TEST(mp, functions_are_boosts) {

@@ -65,6 +65,14 @@ TEST(RunPlan, refuses_a_cage_that_the_formulas_asked_for_do_not_apply_to) {
   }
 }
 
+// Evaluations, variants and regimes may have no name.
+TEST(RunPlan, names_of_measurements_have_no_empty_part) {
+  for (const auto& measurement : quick_plan().measurements) {
+    EXPECT_EQ(measurement->name().find(", ,"), std::string::npos) << measurement->name();
+    EXPECT_FALSE(measurement->name().ends_with(", ")) << measurement->name();
+  }
+}
+
 int measured(const RunPlan& plan, const std::string& part) {
   return static_cast<int>(std::ranges::count_if(
       plan.measurements, [&](const auto& measurement) { return measurement->name().find(part) != std::string::npos; }));
@@ -81,7 +89,7 @@ TEST(RunPlan, quick_leaves_slow_rows_and_fields_without_promise_to_standard_and_
   }
   // Promised, or quick.
   for (const char* part : {"cube, quad_mean_value, adaptive", "cube, quad_mean_value, multiprecision",
-                           "field cube.green.hybrid.error", "star, biharmonic_boundary, "})
+                           "field cube.green.hybrid.error", "star, biharmonic_boundary"})
     EXPECT_GE(measured(quick, part), 1) << part;
   EXPECT_EQ(std::ranges::count(quick.header.notes,
                                "cube: error fields of coordinates that keep its quads are drawn by longer suites"),
@@ -91,6 +99,29 @@ TEST(RunPlan, quick_leaves_slow_rows_and_fields_without_promise_to_standard_and_
   options.only_cage = true;
   options.cage = embedded_cage("star");
   EXPECT_EQ(measured(plan_run(options), "star, biharmonic_boundary, offset-1e-6"), 1);
+}
+
+// After an edit of one formula its verdict does not wait for cages that say the same again.
+TEST(RunPlan, asks_a_kind_on_one_cage_unless_all_formulas_of_an_element_are_named) {
+  const auto plan_of = [](const std::string& formulas) {
+    VerifyOptions options;
+    options.suite = suites().front();
+    options.formulas = formulas;
+    return plan_run(options);
+  };
+  const RunPlan triangle = plan_of("triangle.double_layer");
+  // Quads are cut into triangles, or stay beside triangles.
+  for (const char* part : {"cube, green", "cube, biharmonic", "l-block, quad_green", "l-block, quad_biharmonic",
+                           "cage_block_error, cube, green", "cube, one ring"})
+    EXPECT_GE(measured(triangle, part), 1) << part;
+  for (const char* part : {"torus", "icosphere", "spiky-box", "twisted-bar", "nested", "l-block, green"})
+    EXPECT_EQ(measured(triangle, part), 0) << part;
+  const RunPlan layers = plan_of("*.double_layer");
+  for (const char* part : {"square, green", "cube, green", "cube, quad_green", "l-block, quad_green"})
+    EXPECT_GE(measured(layers, part), 1) << part;
+  const RunPlan triangles = plan_of("triangle.*");
+  for (const char* part : {"torus, green", "nested, green", "torus, one ring"})
+    EXPECT_EQ(measured(triangles, part), measured(quick_plan(), part)) << part;
 }
 
 // A flat tetrahedron whose densities double has just digits enough for, and not where it is turned: the kind is left

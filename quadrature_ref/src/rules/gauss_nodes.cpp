@@ -6,38 +6,88 @@
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace cageproof::quadrature_ref {
 namespace {
 
-// P_n and P_{n-1} at x, by (k + 1) P_{k+1} = (2k + 1) x P_k - k P_{k-1}.
-template <class R>
-struct Legendre {
-  R here = 1, before = 0;
-
-  Legendre(int n, const R& x) {
-    for (int k = 0; k < n; ++k) {
-      R next = ((2 * k + 1) * x * here - k * before) / (k + 1);
-      before = here;
-      here = next;
-    }
-  }
+// The number with half of W's digits, in which a root is found before W's last step.
+template <class W>
+struct HalfOf {
+  using Type = double;
+};
+template <>
+struct HalfOf<Mp100> {
+  using Type = Mp50;
+};
+template <>
+struct HalfOf<Mp200> {
+  using Type = Mp100;
+};
+template <>
+struct HalfOf<Mp400> {
+  using Type = Mp200;
 };
 
-// The k-th root of P_n from 1 downwards, by eight steps of Newton's method from Tricomi's estimate. Each step doubles
-// the digits; from about eight, six steps reach W's.
+// The Legendre polynomials P_n and P_{n-1}, and the roots of P_n.
 template <class W>
-W root(int n, int k) {
-  if (2 * k + 1 == n) return 0;
-  const double size = n, angle = std::numbers::pi * (4 * k + 3) / (4 * size + 2);
-  W x((1 - (size - 1) / (8 * size * size * size)) * std::cos(angle));
-  for (int step = 0; step < 8; ++step) {
-    const Legendre<W> p(n, x);
-    // (1 - x^2) P_n' = n (P_{n-1} - x P_n)
-    x -= p.here * ((1 - x) * (1 + x)) / (n * (p.before - x * p.here));
+class Legendre {
+ public:
+  explicit Legendre(int n) : n_(n), half_(n) {
+    ratios_.reserve(n);
+    for (int k = 0; k < n; ++k) ratios_.push_back(W(k) / (k + 1));
   }
-  return x;
-}
+
+  struct Values {
+    W here, before;
+  };
+
+  // (k + 1) P_{k+1} = (2k + 1) x P_k - k P_{k-1}, without a division.
+  Values at(const W& x) const {
+    W here = 1, before = 0;
+    for (const W& ratio : ratios_) {
+      const W product = x * here;
+      before = product + ratio * (product - before);
+      std::swap(here, before);
+    }
+    return {here, before};
+  }
+
+  // The k-th root from 1 downwards. A step of Newton's method doubles the digits, less those of n^2. From three digits,
+  // where n is small, six steps reach 50.
+  W root(int k) const {
+    if (2 * k + 1 == n_) return 0;
+    W x(half_.root(k));
+    for (int step = 0; step < (std::same_as<W, Mp50> ? 6 : 1); ++step) x -= step_at(x);
+    return x;
+  }
+
+ private:
+  // (1 - x^2) P_n' = n (P_{n-1} - x P_n)
+  W step_at(const W& x) const {
+    const auto [here, before] = at(x);
+    return here * ((1 - x) * (1 + x)) / (n_ * (before - x * here));
+  }
+
+  int n_;
+  Legendre<typename HalfOf<W>::Type> half_;
+  std::vector<W> ratios_;  // k / (k + 1)
+};
+
+// Where the steps begin: Tricomi's estimate.
+template <>
+class Legendre<double> {
+ public:
+  explicit Legendre(int n) : n_(n) {}
+  double root(int k) const {
+    const double n = n_, angle = std::numbers::pi * (4 * k + 3) / (4 * n + 2);
+    return (1 - (n - 1) / (8 * n * n * n)) * std::cos(angle);
+  }
+
+ private:
+  int n_;
+};
 
 // The type in which rules are computed: twice the digits, since recurrences lose some.
 template <Scalar R>
@@ -50,8 +100,9 @@ std::unique_ptr<GaussNodes<R>> made(int n) {
   auto rule = std::make_unique<GaussNodes<R>>();
   rule->nodes.resize(n);
   rule->weights.resize(n);
+  const Legendre<W> polynomial(n);
   for (int k = 0; k < (n + 1) / 2; ++k) {
-    const W x = root<W>(n, k), p = n * Legendre<W>(n, x).before;
+    const W x = polynomial.root(k), p = n * polynomial.at(x).before;
     rule->nodes[k] = static_cast<R>((1 - x) / 2);
     rule->nodes[n - 1 - k] = static_cast<R>((1 + x) / 2);
     rule->weights[k] = rule->weights[n - 1 - k] = static_cast<R>((1 - x) * (1 + x) / (p * p));

@@ -58,7 +58,8 @@ class CageMeasurement final : public Measurement {
       : cage_(std::move(cage)), kind_(kind), options_(options), setup_([this] { return set_up(); }) {}
 
   std::string name() const override {
-    return fmt::format("{}, {}, {}", cage_->name(), kind_.name, options_.evaluation);
+    const std::string& evaluation = options_.evaluation;
+    return fmt::format("{}, {}{}{}", cage_->name(), kind_.name, evaluation.empty() ? "" : ", ", evaluation);
   }
 
   int blocks() const override {

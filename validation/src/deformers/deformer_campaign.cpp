@@ -21,6 +21,13 @@ constexpr double depth = 2e-2;
 
 bool is_small(const Cage& cage, Triangulation rule) { return cage.parts(false, rule).elements.size() <= few_elements; }
 
+// The name of a measurement. Most methods have one variant, which has no name.
+template <class Variant>
+std::string name_on(const Cage& cage, const Variant& variant) {
+  return fmt::format("{}, deformer {}{}{}", cage.name(), variant.method->name, variant.name.empty() ? "" : ", ",
+                     variant.name);
+}
+
 // Asks questions of a measurement. Whoever has a user's cage also wants to know of what a method refuses, and of the
 // rest of its questions.
 class Asker {
@@ -62,9 +69,7 @@ class DeformerMeasurement final : public Measurement {
         prepared_(std::move(prepared)),
         tells_refusals_(tells_refusals) {}
 
-  std::string name() const override {
-    return fmt::format("{}, deformer {}, {}", cage_->name(), variant_.method->name, variant_.name);
-  }
+  std::string name() const override { return name_on(*cage_, variant_); }
   int blocks() const override { return 1; }
 
   PartialResult measure(int) const override {
@@ -98,9 +103,7 @@ class ConstrainedMeasurement final : public Measurement {
                          const DeformerCampaignOptions& options, bool tells_refusals)
       : cage_(std::move(cage)), variant_(std::move(variant)), options_(options), tells_refusals_(tells_refusals) {}
 
-  std::string name() const override {
-    return fmt::format("{}, deformer {}, {}", cage_->name(), variant_.method->name, variant_.name);
-  }
+  std::string name() const override { return name_on(*cage_, variant_); }
   int blocks() const override { return 1; }
 
   PartialResult measure(int) const override {

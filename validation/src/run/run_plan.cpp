@@ -89,12 +89,36 @@ bool names_whole_evaluations_alone(const std::string& pattern) {
   return true;
 }
 
+// Whether a pattern names every formula of some element, as `*` and `quad.*` do.
+bool names_a_whole_element(const std::string& pattern) {
+  return std::ranges::any_of(element_kinds, [&](ElementKind element) {
+    return std::ranges::all_of(catalogue(), [&](const Formula& formula) {
+      return formula.element != element || matches(pattern, formula.name);
+    });
+  });
+}
+
+// The first of the embedded cages that satisfy `is_suitable` with the fewest faces; empty where none does.
+template <class F>
+std::string smallest_embedded_cage(F&& is_suitable) {
+  static const std::vector<Cage> cages = [] {
+    std::vector<Cage> all;
+    for (const auto name : embedded_cage_names()) all.push_back(embedded_cage(name));
+    return all;
+  }();
+  const Cage* smallest = nullptr;
+  for (const Cage& cage : cages)
+    if ((smallest == nullptr || cage.faces().size() < smallest->faces().size()) && is_suitable(cage)) smallest = &cage;
+  return smallest == nullptr ? std::string() : std::string(smallest->name());
+}
+
 // Names that a cage refuses, by reason.
 using NamesByReason = std::map<std::string, std::vector<std::string_view>>;
 
 class Planner {
  public:
-  explicit Planner(const VerifyOptions& options) : options_(options) {}
+  explicit Planner(const VerifyOptions& options)
+      : options_(options), one_cage_each_(!options.cage && !names_a_whole_element(options.formulas)) {}
 
   RunPlan plan() {
     require_known_names(options_);
@@ -126,6 +150,10 @@ class Planner {
       add(figure_measurements(!options_.suite.has_time_limit));
     if (!options_.only_cage) add(errata_measurement({.formulas = options_.formulas, .seed = options_.seed}));
     for (std::string& note : notes_on_truth(options_.formulas)) plan_.header.notes.push_back(std::move(note));
+    if (one_cage_each_)
+      plan_.header.notes.emplace_back(
+          "each kind of coordinates is asked on the smallest embedded cage on which it sums a formula asked for; a run "
+          "that asks for all formulas of an element asks all cages");
     plan_.units = units_of(plan_.measurements);
     set_header(stored_cases);
     doing("");
@@ -176,15 +204,38 @@ class Planner {
     }
   }
 
+  // Whether coordinates of the kind may be asked on a cage.
+  bool is_shown_by(const Cage& cage, const CoordinateKind& kind) const {
+    if (!exists_on(kind, cage) || !is_affordable(kind, cage, cage_options())) return false;
+    // On cages without quads, layers that keep quads equal those that triangulate, so they are skipped.
+    return !kind.is_sum() || !kind.keeps_quads || kind.normalised || cage.has_quads();
+  }
+
   // Whether the kind exists on such a cage and sums a formula that is asked for. Kinds that are not sums are asked only
   // when all formulas are.
   bool is_asked(const CoordinateKind& kind, const Cage& cage) const {
-    if (!exists_on(kind, cage) || !is_affordable(kind, cage, cage_options())) return false;
+    if (!is_shown_by(cage, kind)) return false;
     if (!kind.is_sum()) return options_.formulas == "*";
-    // On cages without quads, layers that keep quads equal those that triangulate, so they are skipped.
-    if (kind.keeps_quads && !kind.normalised && !cage.has_quads()) return false;
-    return std::ranges::any_of(formulas_of(kind, cage),
-                               [&](const Formula* formula) { return matches(options_.formulas, formula->name); });
+    return std::ranges::any_of(formulas_of(kind, cage), [&](const Formula* formula) {
+      return matches(options_.formulas, formula->name) &&
+             (!one_cage_each_ || cage.name() == smallest_cage_of(kind, *formula));
+    });
+  }
+
+  // The embedded cage on which a kind's sums show a formula.
+  const std::string& smallest_cage_of(const CoordinateKind& kind, const Formula& formula) const {
+    const auto [known, is_new] = smallest_cages_.try_emplace({kind.name, formula.name});
+    if (is_new)
+      known->second = smallest_embedded_cage([&](const Cage& cage) {
+        return is_shown_by(cage, kind) && accepts(kind, cage) &&
+               std::ranges::count(formulas_of(kind, cage), &formula) > 0;
+      });
+    return known->second;
+  }
+
+  bool asks_one_ring_of(const Cage& cage) const {
+    if (!one_ring_exists_on(cage) || !matches(options_.formulas, one_ring_formula)) return false;
+    return !one_cage_each_ || cage.name() == smallest_embedded_cage(one_ring_exists_on);
   }
 
   // Why there are no coordinates of the kind, empty where there are. Kinds that solve may find out when they do, so
@@ -360,7 +411,7 @@ class Planner {
         campaign.differences = false;
         add(cage_measurements(cage, campaign));
       }
-    if (one_ring_exists_on(*cage) && matches(options_.formulas, one_ring_formula))
+    if (asks_one_ring_of(*cage))
       for (const std::string& evaluation : {std::string(), OneRingOptions{}.evaluation})
         add(one_ring_measurement(
             cage, {.evaluation = evaluation, .triangulation = options_.triangulation, .seed = options_.seed}));
@@ -565,7 +616,11 @@ class Planner {
   }
 
   const VerifyOptions& options_;
+  // After one edit of a formula somebody waits for its verdict. Its own regimes judge it; a cage shows that sums use
+  // it.
+  const bool one_cage_each_;
   RunPlan plan_;
+  mutable std::map<std::pair<std::string_view, std::string_view>, std::string> smallest_cages_;  // by kind and formula
   int fields_ = 0;
   // Reasons by cage and kind; empty where there is none.
   std::map<std::pair<std::string, std::string_view>, std::string> refusals_;
