@@ -112,6 +112,24 @@ Shown kind_field(const Arguments& a, RunResult& result) {
           "partition of unity", validation::outline_of(*cage)};
 }
 
+// A solved kind is compared with the true coordinates that it approximates.
+Shown scheme_field(const Arguments& a, const CoordinateKind& kind, RunResult& result) {
+  if (kind.approximates.empty())
+    throw InputError(fmt::format("--compare: {} coordinates are no sums over elements, and have no truth", kind.name));
+  if (a.compare != std::vector<std::string>{std::string(kind.approximates)})
+    throw InputError(fmt::format("--compare: {} coordinates are solved for, and compared with {} only", kind.name,
+                                 kind.approximates));
+  if (!a.points.empty()) throw InputError(fmt::format("--points: {} is compared on a grid only", kind.name));
+  const auto cage = std::make_shared<const Cage>(a.cage.load());
+  result.settings = {{"cage", cage->name()}, {"triangulation", a.cage.triangulate}};
+  for (const std::string& parameter : a.parameters) result.settings["parameters"] += parameter + " ";
+  const auto plan = validation::scheme_error_field(cage, kind, a.cage.rule(), a.resolution > 0 ? a.resolution : 64,
+                                                   parameters_from(a.parameters, parameters_of(kind), kind.name));
+  return {validation::sampled(plan, a.jobs),
+          fmt::format("{} against {}, {}", kind.name, kind.approximates, cage->name()), "scheme error",
+          validation::outline_of(*cage)};
+}
+
 // Vertices of a mesh that are compared with 50 digits at most: seconds to a minute.
 constexpr std::size_t most_vertices = 2000;
 
@@ -149,8 +167,6 @@ std::vector<std::string> compared_names(const std::vector<std::string>& lists, c
 reports::FieldScene scene_of(const Arguments& a, RunResult& result) {
   const CoordinateKind& kind = coordinate_kind_named(a.kind);
   const auto cage = std::make_shared<const Cage>(a.cage.load());
-  if (!kind.is_sum())
-    throw InputError(fmt::format("--compare: {} coordinates are no sums over elements, and have no truth", kind.name));
   const std::vector<std::string> compare = compared_names(a.compare, kind, *cage);
   const validation::Comparison comparison{cage, &kind, compare, a.cage.rule()};
   result.settings = {{"cage", cage->name()}, {"triangulation", a.cage.triangulate}};
@@ -190,7 +206,8 @@ int run(Arguments& a) {
   result.sessions = {{validation::timestamp(), 0, a.command_line, validation::machine_facts(a.jobs)}};
   const auto start = std::chrono::steady_clock::now();
   reports::ReportWriter writer(a.out, reports::ReportWriter::Kind::Field);
-  if (!a.compare.empty()) {
+  const bool is_scheme = !a.compare.empty() && !coordinate_kind_named(a.kind).is_sum();
+  if (!a.compare.empty() && !is_scheme) {
     reports::FieldScene scene = scene_of(a, result);
     scene.image.facts["version"] = scene.mesh.facts["version"] = CAGEPROOF_VERSION;
     result.fields = writer.write_scene(scene);
@@ -206,6 +223,7 @@ int run(Arguments& a) {
     return success;
   }
   Shown shown = a.kind.empty()         ? formula_field(a, result)
+                : is_scheme            ? scheme_field(a, coordinate_kind_named(a.kind), result)
                 : a.coordinate.empty() ? kind_field(a, result)
                                        : value_field(a, result);
   shown.field.facts["version"] = CAGEPROOF_VERSION;
@@ -215,6 +233,7 @@ int run(Arguments& a) {
   write_all(writer, result);
   fmt::print("largest {} {:.3g}; {}/{}, {}/{}\n",
              a.kind.empty()         ? "relative error"
+             : is_scheme            ? "scheme error"
              : a.coordinate.empty() ? "residual of the partition of unity"
                                     : shown.array,
              result.fields[0].largest, a.out, result.fields[0].data, a.out, result.fields[0].picture);
@@ -238,13 +257,15 @@ void add_field(CommandLine& line, const std::string& command_line) {
       .option("--coordinate", a->coordinate, "draw the values of one coordinate, such as lambda:0, instead of errors")
       .needs(kind)
       .excludes(evaluation);
-  const Option compare = command
-                             .option("--compare", a->compare,
-                                     "2 to 4 evaluations, such as gauss-8,published,closed_form: their errors against "
-                                     "50 digits side by side, in 3D")
-                             .taking("EVALUATIONS")
-                             .needs(kind)
-                             .excludes(evaluation);
+  const Option compare =
+      command
+          .option("--compare", a->compare,
+                  "2 to 4 evaluations, such as gauss-8,published,closed_form: their errors against 50 digits side by "
+                  "side, in 3D; for harmonic and biharmonic_boundary in the plane the true kind, such as "
+                  "harmonic_goursat: a slice of errors")
+          .taking("EVALUATIONS")
+          .needs(kind)
+          .excludes(evaluation);
   command.option("--points", a->points, "a mesh, whose vertices are compared too (2000 of them, spread evenly)")
       .taking("FILE")
       .needs(compare);

@@ -11,7 +11,7 @@ refuses() { refuses_to figures "$@"; }
 "$cageproof" figures --out two --jobs 2 >/dev/null </dev/null || fail "with two threads"
 diff -r one two >/dev/null || fail "threads change bytes"
 names=(t24-bend t24-twist c23-global c23-local c23-kernels t18-symmetry quads-kept w12-bar w12-legs w12-same-square w12-rhombus w12-star
-  w12-neck w12-seam c23-star c23-infinite-ratio c23-hexagon c23-l
+  w12-neck w12-seam c23-star c23-infinite-ratio c23-bar c23-infinite-ratio-bar c23-hexagon c23-l
   t24-gamma t24-alignment t24-variational t24-spikes
   t18-valid-quads t18-projection t18-tessellation t18-norm-correction t18-twisted-box t18-spherical t18-triquad t18-positive)
 for name in "${names[@]}"; do

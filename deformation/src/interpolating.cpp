@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Interpolating deformers: coordinates of values times the posed vertices ([T18] Section 5).
 #include "linear_pose_derivative.h"
+#include "plane/solved_systems.h"
 
 #include "cageproof/deformation/stretch.h"
 
@@ -15,7 +16,7 @@ class Interpolating final : public Deformer<R> {
                      CoordinateOptions{options.evaluation, options.triangulation, options.parameters}) {}
 
   const CageCoordinates& coordinates() const override { return coordinates_; }
-  DeformationReport prepared() const override { return {coordinates_.solved(), {}, {}}; }
+  DeformationReport prepared() const override { return report_on_true(coordinates_); }
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
     check_pose(coordinates_.elements(), pose);
     return std::make_unique<LinearPosed<R>>(std::vector<Matrix<R>>{rows_of(pose.vertices, coordinates_.dimension())},
@@ -45,6 +46,9 @@ struct MaximumEntropy {
 struct Harmonic {
   static constexpr std::string_view kind = "harmonic";
 };
+struct TrueHarmonic {
+  static constexpr std::string_view kind = "harmonic_goursat";
+};
 
 template <class Kind, Scalar R>
 std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
@@ -67,6 +71,7 @@ const RegisterDeformMethod quad_mean_value{method<QuadMeanValue>("[T18] Section 
 const RegisterDeformMethod spherical{method<SphericalMeanValue>("Langer, Belyaev, Seidel 2006")};
 const RegisterDeformMethod entropy{method<MaximumEntropy>("Hormann, Sukumar 2008")};
 const RegisterDeformMethod harmonic{method<Harmonic>("Joshi et al. 2007, by boundary elements")};
+const RegisterDeformMethod true_harmonic{method<TrueHarmonic>("Joshi et al. 2007, by Goursat's functions")};
 
 }  // namespace
 }  // namespace cageproof::deformation

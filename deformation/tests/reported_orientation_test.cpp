@@ -8,7 +8,7 @@ namespace {
 bool has_normals_of_its_own(const Setting& s) {
   return deform_method_named(s.method).kind != s.method || s.method == "green" || s.method == "somigliana" ||
          s.method == "quad_green" || s.method == "quad_somigliana" || s.method == "cauchy" ||
-         s.method == "biharmonic_boundary";
+         s.method == "biharmonic_boundary" || s.method == "biharmonic_goursat";
 }
 
 // Methods that know of no normals have no inside.

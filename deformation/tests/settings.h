@@ -33,8 +33,8 @@ struct Setting {
 inline const std::vector<Setting>& settings() {
   static const std::vector<Setting> all = [] {
     std::vector<Setting> found;
-    for (const char* method :
-         {"mean_value", "quad_mean_value", "spherical_mean_value", "maximum_entropy", "harmonic", "elastic"})
+    for (const char* method : {"mean_value", "quad_mean_value", "spherical_mean_value", "maximum_entropy", "harmonic",
+                               "harmonic_goursat", "elastic"})
       found.push_back({method});
     const double area = 2;
     for (const double stretch : {0., 1., 2., 3.}) found.push_back({"green", {{"stretch", stretch}}, stretch != area});
@@ -61,6 +61,7 @@ inline const std::vector<Setting>& settings() {
     found.push_back({"cauchy"});
     for (const double normals : {0., 1., 2.})
       found.push_back({"biharmonic_boundary", {{"normals", normals}}, normals != 1});
+    for (const double normals : {0., 1.}) found.push_back({"biharmonic_goursat", {{"normals", normals}}, normals != 1});
     return found;
   }();
   return all;

@@ -78,6 +78,41 @@ TEST(formula_error_field, shows_an_evaluation_that_is_wrong) {
   EXPECT_GT(*std::ranges::max_element(field.arrays[1].values), 1e-3);
 }
 
+// True harmonic coordinates of a rectangle are bilinear.
+TEST(scheme_error_field, is_what_the_scheme_is_off_by_inside) {
+  const auto cage = std::make_shared<const Cage>(embedded_cage("square"));
+  const CoordinateKind& kind = coordinate_kind_named("harmonic");
+  const CageCoordinates harmonic(*cage, kind, CoordinateOptions{});
+  const ImageField field = sampled(scheme_error_field(cage, kind, Triangulation::Shortest, 6), 1);
+  const Vec3<double> low = cage->vertices()[0], size = cage->vertices()[2] - low;
+  int inside = 0;
+  for (int i = 0; i < 36; ++i) {
+    const Vec3<double> p = field.origin + field.spacing.cwiseProduct(
+                                              Vec3<double>(static_cast<double>(i % 6), static_cast<double>(i / 6), 0));
+    const double u = (p[0] - low[0]) / size[0], v = (p[1] - low[1]) / size[1], found = field.arrays[0].values[i];
+    if (std::min(u, v) < 0 || std::max(u, v) > 1) {
+      EXPECT_TRUE(std::isnan(found)) << i;
+      continue;
+    }
+    const std::array expected{(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
+    double worst = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      worst = std::max(worst, std::abs(harmonic.at<double>(p, 0)[0].value[k] - expected[k]));
+    EXPECT_NEAR(found, worst, 1e-10) << i;
+    EXPECT_GT(worst, 1e-6) << i;
+    ++inside;
+  }
+  EXPECT_EQ(inside, 16);
+}
+
+TEST(scheme_error_field, refuses_kinds_that_approximate_none_and_cages_without_truth) {
+  const auto square = std::make_shared<const Cage>(embedded_cage("square")),
+             cube = std::make_shared<const Cage>(embedded_cage("cube"));
+  const auto rule = Triangulation::Shortest;
+  EXPECT_THROW(scheme_error_field(square, coordinate_kind_named("cauchy"), rule, 3), InputError);
+  EXPECT_THROW(scheme_error_field(cube, coordinate_kind_named("harmonic"), rule, 3), InputError);
+}
+
 TEST(error_fields, say_what_they_are) {
   const auto cage = std::make_shared<const Cage>(embedded_cage("cube"));
   const CoordinateKind& kind = *find_coordinate_kind("green");

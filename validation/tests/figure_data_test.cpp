@@ -69,6 +69,31 @@ TEST_F(FigureData, of_files_is_what_deformers_make_of_them) {
   EXPECT_NEAR(panel.measured[0].second, 8, 1e-12);
 }
 
+TEST_F(FigureData, of_polygons_are_of_the_plane) {
+  const auto square = [](double size, const std::string& z) {
+    std::string text;
+    for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+      text += "v " + std::to_string(size * x) + " " + std::to_string(size * y) + " " + z + "\n";
+    return text;
+  };
+  const std::string edges = "l 1 2\nl 2 3\nl 3 4\nl 4 1\n";
+  write("Box_Cage.obj", square(1, "0") + edges);
+  write("Box_Cage_Deformed.obj", square(2, "0") + edges);
+  write("Box.obj", square(1, "0") + "f 1 2 3 4\n");
+  const auto sheets = figures_of_data(folder_)[0]->sheets(all_of(*figures_of_data(folder_)[0]));
+  ASSERT_EQ(sheets.size(), 1u);
+  EXPECT_EQ(sheets[0].name, "w12-Box");
+  for (const auto& panel : sheets[0].panels) {
+    EXPECT_TRUE(panel.flat) << panel.file;
+    ASSERT_EQ(panel.data.vertices.size(), 4u);
+    if (panel.file == "mean_value" || panel.file == "harmonic" || panel.file == "cauchy")
+      for (std::size_t p = 0; p < 4; ++p)
+        EXPECT_LT((panel.data.vertices[p] - 2 * sheets[0].panels[0].data.vertices[p]).norm(), 1e-12) << panel.file;
+  }
+  write("Box.obj", square(0.5, "0.25") + "f 1 2 3 4\n");
+  EXPECT_NE(refused().find("Box.obj: vertex 1 has z = 0.25"), std::string::npos) << refused();
+}
+
 TEST_F(FigureData, of_open_meshes_states_no_volume) {
   const std::string closed = cube(0.5);
   write("Box.obj", closed.substr(0, closed.rfind('f')));

@@ -229,6 +229,7 @@ TEST(PaperFigures, measured_as_units_of_a_run_are_all_there) {
                                              "w12-rhombus",      "w12-star",
                                              "w12-neck",         "w12-seam",
                                              "c23-star",         "c23-infinite-ratio",
+                                             "c23-bar",          "c23-infinite-ratio-bar",
                                              "c23-hexagon",      "c23-l",
                                              "t24-gamma",        "t24-alignment",
                                              "t24-variational",  "t24-spikes",

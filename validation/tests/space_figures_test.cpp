@@ -231,6 +231,27 @@ TEST(SpaceFigures, quadrature_makes_spikes_that_more_points_make_smaller) {
   EXPECT_GT(turn(sheet, "three-quad-75"), 2 * turn(sheet, "closed_form"));
 }
 
+TEST(SpaceFigures, blends_lie_between_variants_and_infinite_ratios_are_not_green) {
+  const auto sheets = sheets_of(*bar_variants_figure());
+  const auto images = [](const reports::FigureSheet& sheet, const std::string& file) {
+    return panel_of(sheet, file).data.vertices;
+  };
+  const auto global = images(sheets.at(0), "global"), local = images(sheets.at(0), "local"),
+             blend = images(sheets.at(0), "blend");
+  double apart = 0, middle = 0;
+  for (std::size_t p = 0; p < blend.size(); ++p) {
+    apart = std::max(apart, (global[p] - local[p]).norm());
+    middle = std::max(middle, ((global[p] + local[p]) / 2 - blend[p]).norm());
+  }
+  EXPECT_GT(apart, 0.05);
+  EXPECT_LT(middle, apart / 3);
+  for (const char* variant : {"global", "local"}) {
+    const auto of = [&](const char* nu) { return off(sheets.at(1), fmt::format("{}.nu{}", variant, nu)); };
+    EXPECT_GT(of("inf"), 1e-2) << variant;
+    EXPECT_LT(of("inf"), of("0.3")) << variant;
+  }
+}
+
 TEST(SpaceFigures, panels_are_compared_only_with_panels_of_their_sheet) {
   DeformedPlan plan{.name = "bad", .cage = std::make_shared<const Cage>(plain_bar(1)), .mesh = {}, .sheets = {}};
   plan.sheets = {{.name = "bad", .heading = "", .source = "", .text = "", .columns = 1, .panels = {}}};

@@ -30,4 +30,17 @@ inline DeformationReport report_on(const CageCoordinates& coordinates) {
   return report;
 }
 
+/// The systems of the true coordinates of a polygon, which are solved by least squares in more functions than
+/// independent ones, so that their rank says nothing. It warns where they miss their data on the boundary.
+inline DeformationReport report_on_true(const CageCoordinates& coordinates) {
+  DeformationReport report{coordinates.solved(), {}, {}};
+  constexpr double met = 1e-8;
+  for (const SolvedSystem& system : report.systems)
+    if (system.boundary_values > met)
+      report.warnings.push_back(
+          fmt::format("{}: the data on the boundary are met to {:.2g} only, and images inside are no better",
+                      system.name, system.boundary_values));
+  return report;
+}
+
 }  // namespace cageproof::deformation

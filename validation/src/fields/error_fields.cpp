@@ -7,6 +7,7 @@
 #include "cageproof/core/lazy.h"
 #include "cageproof/core/parallel.h"
 #include "cageproof/validation/cage_errors.h"
+#include "cageproof/validation/scheme_errors.h"
 #include "cageproof/validation/truth.h"
 #include "element/element_sampling.h"
 
@@ -200,6 +201,37 @@ FieldPlan coordinate_difference_field(const std::shared_ptr<const Cage>& cage, c
           worst = std::isnan(d) ? std::numeric_limits<double>::infinity() : std::max(worst, d);
         }
       values[0] = worst;
+    };
+  };
+  return plan;
+}
+
+FieldPlan scheme_error_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind, Triangulation rule,
+                             int resolution, const std::vector<double>& parameters) {
+  if (kind.approximates.empty())
+    throw InputError(fmt::format("{} coordinates approximate no others that are known better", kind.name));
+  const CoordinateKind& approximated = coordinate_kind_named(kind.approximates);
+  if (!exists_on(approximated, *cage))
+    throw InputError(fmt::format("{}: {} exists for polygons only", cage->name(), kind.approximates));
+  if (const std::string reason = why_refused(approximated, *cage); !reason.empty())
+    throw InputError(fmt::format("{}: {}", cage->name(), reason));
+  auto found = approximated_by(*cage, kind, rule);
+  if (!found)
+    throw InputError(fmt::format("{}: {} meets its data on the cage worse than to {}, so that it is no truth",
+                                 cage->name(), kind.approximates, worst_truth));
+  const auto truth = std::make_shared<const CageCoordinates>(std::move(*found));
+  const auto coordinates =
+      std::make_shared<const CageCoordinates>(*cage, kind, CoordinateOptions{"", rule, parameters});
+  FieldPlan plan;
+  plan.field = empty_field(slice_through(*cage, resolution), name_of_field(*cage, *coordinates, "scheme-error"));
+  plan.field.facts = facts_of(*cage, *coordinates, rule);
+  plan.field.facts["compared with"] = kind.approximates;
+  plan.field.arrays = {{"scheme error", "cage sizes", 1, {}}};
+  plan.prepare = [=]() -> FieldPlan::Sampler {
+    const auto locator = std::make_shared<const CageLocator>(*cage, rule, false);
+    return [=](const Vec3<double>& p, std::span<double> values) {
+      const bool inside = locator->place(p) == Place::Inside;
+      values[0] = inside ? scheme_errors_at(*coordinates, *truth, *cage, p, 0)[0] : masked;
     };
   };
   return plan;

@@ -63,11 +63,12 @@ SheetPlan alignment_sheet(const std::vector<Vec3<double>>& rest, const std::vect
       .source = "[T24] Figure 5",
       .text =
           "Biharmonic coordinates (1,3) with unit normal derivatives, and with those of least energy, "
-          "aligned with posed normals (γ_a = ∞) or free (γ_a = 0). Above, the cage is sheared: AAAP and "
-          "TP that are free make the affine map, as mean value coordinates do; those that are aligned "
+          "aligned with posed normals (γ_a = ∞), drawn to them (γ_a = 1) or free (γ_a = 0). Above, the cage is "
+          "sheared: "
+          "AAAP and TP that are free make the affine map, as mean value coordinates do; those that are aligned "
           "cannot, because a shear does not move normals as it moves edges. Below, the cage is bent. \"off by\": the "
           "largest distance from the image by mean value coordinates, over the cage's size.",
-      .columns = 6,
+      .columns = 8,
       .panels = {},
       .view = bar_view};
   for (const bool is_sheared : {true, false}) {
@@ -86,6 +87,8 @@ SheetPlan alignment_sheet(const std::vector<Vec3<double>>& rest, const std::vect
     add("unit", "unit", "biharmonic_1_3", {});
     for (const auto& [title, method] : {std::pair{"AAAP", "aaap"}, {"TP", "tp"}}) {
       add(fmt::format("{}, γ_a = ∞", title), fmt::format("{}.hard", method), method, {{"alignment", "hard"}});
+      add(fmt::format("{}, γ_a = 1", title), fmt::format("{}.soft", method), method,
+          {{"alignment", "soft"}, {"gamma_a", "1"}});
       add(fmt::format("{}, γ_a = 0", title), fmt::format("{}.free", method), method, {{"alignment", "free"}});
     }
   }

@@ -3,9 +3,9 @@
 #include "embedded_figures.h"
 
 #include "cageproof/core/cage/cage_elements.h"
+#include "cageproof/core/cage/winding_numbers.h"
 #include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/geometry/winding_number.h"
 #include "cageproof/reports/mesh_thinning.h"
 
 #include <fmt/format.h>
@@ -37,16 +37,11 @@ std::vector<std::string> names_in(const fs::path& folder) {
 // The faces all of whose vertices are inside the cage, or on it, and these vertices.
 Mesh inside_of(const Cage& cage, const Mesh& mesh) {
   const CageElements elements(cage, false, Triangulation::Shortest);
-  std::vector<Triangle<double>> triangles;
-  triangles.reserve(elements.count());
-  for (std::size_t e = 0; e < elements.count(); ++e) {
-    const auto corners = elements.corners(e);
-    triangles.push_back({corners[0], corners[1], corners[2]});
-  }
+  const WindingNumbers windings(elements);
   std::vector<char> inside;
   inside.reserve(mesh.vertices.size());
   for (const Vec3<double>& point : mesh.vertices)
-    inside.push_back(static_cast<char>(winding_number(triangles, point).value_or(1) != 0));
+    inside.push_back(static_cast<char>(windings.around(point).value_or(1) != 0));
   Mesh found;
   std::vector<int> number(mesh.vertices.size(), -1);
   for (const auto& face : mesh.faces) {
@@ -65,6 +60,34 @@ Mesh inside_of(const Cage& cage, const Mesh& mesh) {
   return found;
 }
 
+// \throws InputError where a polygon's points leave the plane
+void require_in_plane(const fs::path& file, const std::vector<Vec3<double>>& points) {
+  const auto found = std::ranges::find_if(points, [](const Vec3<double>& p) { return p[2] != 0; });
+  if (found != points.end())
+    throw InputError(fmt::format("{}: vertex {} has z = {}; the cage is a polygon, and z must be 0", file.string(),
+                                 found - points.begin() + 1, (*found)[2]));
+}
+
+std::vector<PanelPlan> plane_panels(const std::vector<Vec3<double>>& posed) {
+  std::vector<PanelPlan> panels{{.title = "at rest", .file = "rest"},
+                                {.title = "mean value", .file = "mean_value", .method = "mean_value"},
+                                {.title = "harmonic", .file = "harmonic", .method = "harmonic"},
+                                {.title = "Green (Cauchy)", .file = "cauchy", .method = "cauchy"}};
+  for (const std::string normals : {"unit", "complex"})
+    panels.push_back({.title = normals == "unit" ? "biharmonic, unit normals" : "biharmonic, complex",
+                      .file = "biharmonic_boundary." + normals,
+                      .method = "biharmonic_boundary",
+                      .parameters = {{"normals", normals}}});
+  for (const std::string variant : {"global", "local"})
+    panels.push_back({.title = "Somigliana, " + variant,
+                      .file = "somigliana." + variant,
+                      .method = "somigliana",
+                      .parameters = {{"variant", variant}}});
+  for (PanelPlan& panel : panels)
+    if (!panel.method.empty()) panel.posed = posed;
+  return panels;
+}
+
 DeformedPlan plan_of(const fs::path& folder, const std::string& name) {
   const fs::path files[]{folder / (name + std::string(cage_ending)), folder / (name + "_Cage_Deformed.obj"),
                          folder / (name + ".obj")};
@@ -72,23 +95,40 @@ DeformedPlan plan_of(const fs::path& folder, const std::string& name) {
     if (!fs::exists(file))
       throw InputError(fmt::format("{}: there is no such file, which goes with {}", file.string(), files[0].string()));
   const auto cage = std::make_shared<const Cage>(read_cage(files[0]));
-  if (cage->dimension() != 3)
-    throw InputError(fmt::format("{}: a polygon; figures are of cages in space", files[0].string()));
   const std::vector<Vec3<double>> posed = read_mesh(files[1]).vertices;
   if (posed.size() != cage->vertices().size())
     throw InputError(fmt::format("{}: {} vertices, {} has {}", files[1].string(), posed.size(), files[0].string(),
                                  cage->vertices().size()));
   const Mesh whole = read_mesh(files[2]);
+  if (cage->dimension() == 2) {
+    require_in_plane(files[1], posed);
+    require_in_plane(files[2], whole.vertices);
+  }
   if (whole.faces.empty()) throw InputError(fmt::format("{}: no faces to draw", files[2].string()));
   const Mesh thin = reports::thinned(whole, most_figure_points);
   DeformedPlan plan{.name = name, .cage = cage, .mesh = {inside_of(*cage, thin), {}}, .sheets = {}};
   if (plan.mesh.mesh.faces.empty())
     throw InputError(fmt::format("{}: nothing of it is inside {}", files[2].string(), files[0].string()));
-  // Files of the field have y upwards.
-  const reports::FigureView view{{0.45, 0.3, 1}, {0, 1, 0}};
   const std::string about =
       fmt::format(" {} of the {} vertices of {} are shown, {} faces.", plan.mesh.mesh.vertices.size(),
                   whole.vertices.size(), files[2].filename().string(), plan.mesh.mesh.faces.size());
+  if (cage->dimension() == 2) {
+    plan.sheets.push_back(
+        {.name = "w12-" + name,
+         .heading = "Deformers of the plane compared: " + name,
+         .source = "[W12] Figures 2, 5 and 6, [C23] Figure 10",
+         .text =
+             "One posed polygon (blue), and what each deformer makes of the mesh in it. Mean value and harmonic "
+             "coordinates meet it; Green coordinates (Cauchy's) keep angles and leave it; biharmonic ones follow it "
+             "with unit normals, or with normals stretched as edges are; Somigliana coordinates behave as an "
+             "elastic body." +
+             about,
+         .columns = 4,
+         .panels = plane_panels(posed)});
+    return plan;
+  }
+  // Files of the field have y upwards.
+  const reports::FigureView view{{0.45, 0.3, 1}, {0, 1, 0}};
   plan.sheets.push_back({.name = "t24-" + name,
                          .heading = "Deformers compared: " + name,
                          .source = "[T24] Figures 1 and 2, [C23] Figure 11",

@@ -67,6 +67,8 @@ std::unique_ptr<const PaperFigure> seam_figure();
 std::unique_ptr<const PaperFigure> star_variants_figure();
 /// [C23] Figure 7: Poisson's ratio up to infinity in the plane.
 std::unique_ptr<const PaperFigure> infinite_ratio_figure();
+/// [C23] Figures 4 and 7 in space: a bent bar.
+std::unique_ptr<const PaperFigure> bar_variants_figure();
 /// [C23] Figure 10: a hexagon and an L.
 std::unique_ptr<const PaperFigure> hexagon_figure();
 std::unique_ptr<const PaperFigure> l_figure();

@@ -39,6 +39,7 @@ PaperFigures embedded_figures() {
                           seam_figure,
                           star_variants_figure,
                           infinite_ratio_figure,
+                          bar_variants_figure,
                           hexagon_figure,
                           l_figure,
                           biharmonic_choices_figure,

@@ -65,6 +65,12 @@ FieldPlan coordinate_difference_field(const std::shared_ptr<const Cage>& cage, c
                                       const std::string& evaluation, const std::string& other, Triangulation rule,
                                       int resolution);
 
+/// How far a scheme is from the coordinates that it approximates (CoordinateKind::approximates), inside the cage: array
+/// `scheme error`, the largest of a coordinate, in cage sizes. \param parameters as of reproduction_field
+/// \throws InputError for a kind that approximates none, or where these are not known well enough in the cage
+FieldPlan scheme_error_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind, Triangulation rule,
+                             int resolution, const std::vector<double>& parameters = {});
+
 /// One coordinate of a block on a slice, inside the cage: array `<label>_<index>`, linear; of matrices the entry in the
 /// first row and column.
 /// \param label of the block \param index of the vertex or element
