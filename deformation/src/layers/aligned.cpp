@@ -115,7 +115,7 @@ class Aligned final : public LayerDeformer<R> {
     warn_of_orientation(elements, pose.vertices, report.warnings, alignment_ != Alignment::NonNegative);
     const Matrix<R> vertices = rows_of(pose.vertices, elements.dimension());
     // The pose less a similarity, whose energy is zero.
-    const Similar<R> similar = this->similar_to(pose.vertices);
+    const Similar<R> similar = this->similar_to(vertices);
     const Matrix<R> fixed = of_vertices_ * (vertices - similar.vertices);
     Matrix<R> normals;
     if (alignment_ == Alignment::Free) {

@@ -4,13 +4,11 @@
 #pragma once
 
 #include "../linear_pose_derivative.h"
-#include "../nearest_motion.h"
 #include "../normal_slopes.h"
-#include "../own_place.h"
-#include "../own_unit.h"
 #include "../posed_orientation.h"
 #include "corner_normals.h"
 #include "regularisation.h"
+#include "similarities.h"
 
 #include "cageproof/deformation/stretch.h"
 
@@ -31,12 +29,6 @@ inline CageCoordinates layers_of(const Cage& cage, const DeformOptions& options,
   return {cage, coordinate_kind_named(normals == Owner::Corner ? "biharmonic_affine" : "biharmonic"),
           CoordinateOptions{options.evaluation, options.triangulation, {}}};
 }
-
-/// Images of a cage's vertices and normal derivatives under a similarity, one row each.
-template <Scalar R>
-struct Similar {
-  Matrix<R> vertices, normals;
-};
 
 template <Scalar R>
 class LayerDeformer : public Deformer<R> {
@@ -64,40 +56,20 @@ class LayerDeformer : public Deformer<R> {
     return normals_of() == Owner::Corner ? corner_normal_slopes(stretch, elements, pose.vertices)
                                          : stretched_normal_slopes(stretch, elements, pose.vertices);
   }
-  void regularise(Regularisation<R> found) { regularisation_ = std::move(found); }
+  void regularise(Regularisation<R> found) {
+    regularisation_ = std::move(found);
+    const std::vector<Vec3<R>> rest = vertices_in<R>(coordinates_.elements());
+    const int d = coordinates_.dimension();
+    DeformationReport of_rest;
+    similarities_ = {rows_of(rest, d), rows_of(own_normals(Stretch::Unit, rest, of_rest), d)};
+  }
   const Regularisation<R>& regularisation() const { return regularisation_; }
 
   /// The rest cage under the similarity next to the pose. Its densities, and its second derivatives, are
   /// zero by what layers are. Sums of layers give zero only up to their roundings, which a system's condition
   /// multiplies. So a method asks its system only for the difference between the pose and this, and rigid poses keep
   /// their digits.
-  Similar<R> similar_to(const std::vector<Vec3<R>>& posed) const {
-    using std::isfinite;
-    const CageElements& elements = coordinates_.elements();
-    const int d = elements.dimension();
-    const std::vector<Vec3<double>>& rest = elements.vertices();
-    Constraints vertices;
-    std::vector<Vec3<double>> targets;
-    vertices.positions.reserve(rest.size());
-    targets.reserve(rest.size());
-    for (std::size_t v = 0; v < rest.size(); ++v) {
-      targets.push_back(convert<double>(posed[v]));
-      vertices.positions.push_back({rest[v], targets.back()});
-    }
-    const Motion<R> motion = nearest_motion<R>(vertices, targets, own_place(rest), size_of(elements), d);
-    const auto step_from = [d](const std::vector<Vec3<R>>& points, const Vec3<double>& place) -> Matrix<R> {
-      return rows_of(points, d).rowwise() - convert<R>(place).head(d).transpose();
-    };
-    const Matrix<R> from = step_from(vertices_in<R>(elements), motion.from);
-    const R ratio = spread(step_from(posed, motion.to)) / spread(from);
-    // All to the mean is a similarity, too.
-    const R scale = isfinite(ratio) ? ratio : R(0);
-    DeformationReport of_rest;
-    Matrix<R> turned = scale * motion.turned(from);
-    turned.rowwise() += convert<R>(motion.to).head(d).transpose();
-    return {std::move(turned),
-            scale * motion.turned(rows_of(own_normals(Stretch::Unit, vertices_in<R>(elements), of_rest), d))};
-  }
+  Similar<R> similar_to(const Matrix<R>& posed) const { return similarities_.next_to(posed); }
 
   /// The pose with these normal derivatives, a row each of normals_of().
   std::unique_ptr<const Posed<R>> with(const Matrix<R>& vertices, const Matrix<R>& normals, const Similar<R>& similar,
@@ -111,15 +83,9 @@ class LayerDeformer : public Deformer<R> {
   }
 
  private:
-  // How far rows are from their mean. Squares are taken of shares, which stay in range.
-  static R spread(const Matrix<R>& rows) {
-    const Matrix<R> steps = rows.rowwise() - rows.colwise().mean();
-    const R largest = steps.cwiseAbs().maxCoeff();
-    return largest > 0 ? R(largest * Matrix<R>(steps / largest).norm()) : R(0);
-  }
-
   CageCoordinates coordinates_;
   Regularisation<R> regularisation_;
+  Similarities<R> similarities_;
 };
 
 }  // namespace cageproof::deformation

@@ -60,8 +60,8 @@ class Regularised final : public LayerDeformer<R> {
     const std::vector<Vec3<R>> normals =
         pose.normal_derivatives.empty() ? this->own_normals(stretch_, pose.vertices, report) : pose.normal_derivatives;
     const int d = elements.dimension();
-    return this->with(rows_of(pose.vertices, d), rows_of(normals, d), this->similar_to(pose.vertices),
-                      std::move(report));
+    const Matrix<R> vertices = rows_of(pose.vertices, d);
+    return this->with(vertices, rows_of(normals, d), this->similar_to(vertices), std::move(report));
   }
   std::unique_ptr<const PoseDerivative<R>> derivative(const Pose<R>& pose) const override {
     const Regularisation<R>& maps = this->regularisation();
