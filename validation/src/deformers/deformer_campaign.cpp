@@ -67,6 +67,13 @@ class DeformerMeasurement final : public Measurement {
   }
   int blocks() const override { return 1; }
 
+  std::vector<RowKey> rows() const override {
+    const DeformerChecks checks(cage_, variant_, options_.triangulation, prepared_->get().get());
+    std::vector<RowKey> rows;
+    for (const Question<PointAt>& question : checks.questions()) add_rows_of(question, rows);
+    return rows;
+  }
+
   PartialResult measure(int) const override {
     PartialResult gathered;
     const Asker asker(name(), tells_refusals_, gathered);
@@ -102,6 +109,13 @@ class ConstrainedMeasurement final : public Measurement {
     return fmt::format("{}, deformer {}, {}", cage_->name(), variant_.method->name, variant_.name);
   }
   int blocks() const override { return 1; }
+
+  std::vector<RowKey> rows() const override {
+    const ConstrainedChecks checks(cage_, variant_, options_.triangulation);
+    std::vector<RowKey> rows;
+    for (const Question<PointAt>& question : checks.questions()) add_rows_of(question, rows);
+    return rows;
+  }
 
   PartialResult measure(int) const override {
     PartialResult gathered;
