@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The table of promises: whole for what people rely on, and for other evaluations enough to tell another formula.
 #include "cageproof/validation/promise.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/regime.h"
 #include "cageproof/validation/truth.h"
 #include "promises/verdicts.h"
+#include "run/run_plan.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
 
 namespace cageproof::validation {
 namespace {
@@ -53,32 +59,56 @@ TEST(promises, stay_away_from_weak_spots) {
   EXPECT_EQ(bound("triangle.double_layer", "closed_form", "near-edge"), 64);
 }
 
-// A forgotten bound would look like a decision to promise nothing.
-TEST(promises, are_made_or_declined_for_every_check_of_what_people_rely_on) {
-  int asked = 0;
-  for (const Formula& formula : catalogue())
-    for (const std::string& name : EvaluationRegister::instance().standard(formula.name)) {
-      const Evaluation evaluation = evaluation_named(formula.name, name);
-      if (evaluation.role() != Role::Recommended && evaluation.role() != Role::Stated &&
-          evaluation.role() != Role::ClosedForm)
-        continue;
-      for (const auto& check : checks())
-        for (const Regime& regime : regimes())
-          for (const ScalarKind scalar : scalar_kinds) {
-            if (!exists_for(regime, formula.element) || !evaluation.supports(scalar) ||
-                !check->applies(formula, evaluation, scalar, regime.name))
-              continue;
-            ++asked;
-            // Which orders a check asks, its findings say; verdicts ask for the row of each.
-            bool in_table = false;
-            for (int order = 0; order < 3; ++order)
-              in_table = in_table ||
-                         promise_for({check->name(), formula.name, name, name_of(scalar), regime.name, order}).in_table;
-            EXPECT_TRUE(in_table) << check->name() << ' ' << formula.name << ' ' << name << ' ' << name_of(scalar)
-                                  << ' ' << regime.name;
-          }
+std::string words_of(const RowKey& row) {
+  return row.check + ' ' + row.subject + ' ' + row.evaluation + ' ' + row.scalar + ' ' + row.setting + ' ' + row.place +
+         " order " + std::to_string(row.order);
+}
+
+// All rows that a default run on a cage may fill, with those of elements where they are asked for.
+std::set<RowKey> rows_of_run(std::string_view cage, bool with_elements) {
+  VerifyOptions options;
+  options.suite = suites().front();
+  options.cage = embedded_cage(cage);
+  options.only_cage = !with_elements;
+  std::set<RowKey> rows;
+  for (const auto& measurement : plan_run(options).measurements)
+    for (RowKey& row : measurement->rows()) rows.insert(std::move(row));
+  return rows;
+}
+
+// The role of the row's evaluation. Kinds that are no sums and deformers have none, and people rely on them, except on
+// other ways to prepare a kind.
+std::optional<Role> role_in(const RowKey& row) {
+  if (row.section == RowKey::Section::Deformer) return Role::Recommended;
+  const CoordinateKind* kind = row.section == RowKey::Section::Cage ? find_coordinate_kind(row.subject) : nullptr;
+  if (kind != nullptr && !kind->is_sum()) {
+    const bool is_other = std::ranges::find(kind->other_evaluations, row.evaluation) != kind->other_evaluations.end();
+    return is_other ? std::nullopt : std::optional(Role::Recommended);
+  }
+  const std::string name = role_of(row);
+  const auto role = std::ranges::find_if(roles, [&](const Role known) { return name_of(known) == name; });
+  return role == roles.end() ? std::nullopt : std::optional(*role);
+}
+
+// A forgotten bound would look like a decision to promise nothing. Nothing is measured: the plan's questions say what
+// they ask of which order, on all embedded cages and on somebody's own as on these two.
+TEST(promises, are_made_or_declined_for_every_row_of_what_people_rely_on) {
+  std::vector<std::string> settings{"somebody's.obj"};
+  for (const auto& names : {embedded_cage_names(), extreme_cage_names()})
+    for (const auto name : names) settings.emplace_back(name);
+  std::map<RowKey::Section, int> asked;
+  for (const bool in_space : {false, true})
+    for (const RowKey& row : rows_of_run(in_space ? "cube" : "square", !in_space)) {
+      ++asked[row.section];
+      const bool of_cage = row.section != RowKey::Section::Element;
+      for (const std::string& setting : of_cage ? settings : std::vector{row.setting})
+        EXPECT_NO_THROW(
+            require_row({row.check, row.subject, row.evaluation, row.scalar, setting, row.order}, role_in(row)))
+            << words_of(row);
     }
-  EXPECT_GT(asked, 1000);
+  EXPECT_GT(asked[RowKey::Section::Element], 10000);
+  EXPECT_GT(asked[RowKey::Section::Cage], 1000);
+  EXPECT_GT(asked[RowKey::Section::Deformer], 1000);
 }
 
 TEST(promises, are_missed_where_the_table_has_no_row) {

@@ -4,6 +4,7 @@
 #include "cage_edges.h"
 #include "connected.h"
 
+#include "cageproof/core/geometry/box.h"
 #include "cageproof/core/geometry/element.h"
 #include "face_crossings.h"
 #include "cageproof/core/input_error.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 
 namespace cageproof::cage_checks {
 namespace {
@@ -75,16 +77,13 @@ class Region {
     std::ranges::sort(vertices_);
     const auto repeated = std::ranges::unique(vertices_);
     vertices_.erase(repeated.begin(), repeated.end());
-    low_ = high_ = cage.vertices[vertices_.front()];
-    for (const int v : vertices_) {
-      low_ = low_.cwiseMin(cage.vertices[v]);
-      high_ = high_.cwiseMax(cage.vertices[v]);
-    }
+    box_ = box_of(std::views::transform(vertices_, [&](int v) -> const Vec3<double>& { return cage.vertices[v]; }));
   }
 
   /// \param crossing whether their faces cross or touch: else one vertex answers for all
   bool holds(const Region& other, bool crossing) const {
-    if ((other.low_.array() < low_.array()).any() || (other.high_.array() > high_.array()).any()) return false;
+    if ((other.box_.low.array() < box_.low.array()).any() || (other.box_.high.array() > box_.high.array()).any())
+      return false;
     bool any = false;
     for (const int v : other.vertices_) {
       const auto winding = segments_.empty() ? winding_number(triangles_, cage_.vertices[v])
@@ -115,7 +114,7 @@ class Region {
   std::vector<int> vertices_;
   std::vector<Triangle<double>> triangles_;
   std::vector<Segment<double>> segments_;
-  Vec3<double> low_, high_;
+  Box box_;
 };
 
 // Pairs of parts whose faces cross or touch, the lower one first.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/geometry/winding_number.h"
 
+#include "cageproof/core/geometry/box.h"
 #include "cageproof/core/geometry/orientation.h"
 #include "cageproof/core/numbers/random_stream.h"
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace cageproof {
 namespace {
@@ -55,12 +57,7 @@ Vec3<double> target(const Vec3<double>& low, const Vec3<double>& high, std::uint
 
 std::optional<int> winding_number(std::span<const Triangle<double>> triangles, const Vec3<double>& point) {
   if (triangles.empty()) return 0;
-  Vec3<double> low = triangles.front()[0], high = low;
-  for (const Triangle<double>& t : triangles)
-    for (const Vec3<double>& corner : t) {
-      low = low.cwiseMin(corner);
-      high = high.cwiseMax(corner);
-    }
+  const auto [low, high] = box_of(std::views::join(triangles));
   if ((point.array() < low.array()).any() || (point.array() > high.array()).any()) return 0;
   for (const Triangle<double>& t : triangles)
     if (lies_on(t, point)) return std::nullopt;

@@ -82,6 +82,12 @@ class BlockMeasurement final : public Measurement {
   }
   int blocks() const override { return block_count(static_cast<std::size_t>(count()), 8); }
 
+  std::vector<RowKey> rows() const override {
+    std::vector<RowKey> rows;
+    for (const std::string_view place : cage_places()) add_rows_of(setup_.get().errors->question(place), rows);
+    return rows;
+  }
+
   PartialResult measure(int block) const override {
     const Setup& setup = setup_.get();
     PartialResult gathered;
@@ -158,6 +164,7 @@ Question<BlockAt> BlockErrors::question(std::string_view place) const {
   question.key = {RowKey::Section::Cage, std::string(kind_.name), coordinates_.evaluation(), "double",
                   cage_.name(),          block_error_check,       std::string(place),        0};
   question.unit = "block";
+  question.orders = {0, order_};
   question.ask = [this](const BlockAt& asked) { return at(asked.sample); };
   return question;
 }

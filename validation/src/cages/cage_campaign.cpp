@@ -68,6 +68,17 @@ class CageMeasurement final : public Measurement {
     return block_count(options_.points + on / 4, 10);
   }
 
+  std::vector<RowKey> rows() const override {
+    std::vector<RowKey> rows;
+    for (const auto& [place, questions] : setup_.get().questions) {
+      const bool off = place == Place::Inside || place == Place::Outside;
+      if (place == Place::Outside && kind_.inside_alone) continue;
+      for (const CageQuestion& question : questions)
+        if (off ? asks(question.cost) : question.once || !options_.properties_alone) add_rows_of(question, rows);
+    }
+    return rows;
+  }
+
   PartialResult measure(int block) const override {
     const Setup& setup = setup_.get();
     PartialResult gathered;
@@ -141,15 +152,20 @@ class CageMeasurement final : public Measurement {
     return setup;
   }
 
-  // Whether questions of that cost are asked at a point off the cage.
-  bool takes(const Setup& setup, CageQuestion::Cost cost, std::size_t i) const {
+  // Whether questions of that cost are asked off the cage.
+  bool asks(CageQuestion::Cost cost) const {
     if (cost == CageQuestion::Cost::Sign) return options_.signs;
-    if (cost == CageQuestion::Cost::Relation || options_.properties_alone) return cost == CageQuestion::Cost::Relation;
-    if (cost == CageQuestion::Cost::Point) return true;
+    if (options_.properties_alone) return cost == CageQuestion::Cost::Relation;
+    return cost != CageQuestion::Cost::Differences || options_.differences;
+  }
+
+  // And at which points.
+  bool takes(const Setup& setup, CageQuestion::Cost cost, std::size_t i) const {
+    if (!asks(cost)) return false;
     if (cost == CageQuestion::Cost::SecondRoute) return std::ranges::find(setup.routed, i) != setup.routed.end();
     if (cost == CageQuestion::Cost::Truth) return std::ranges::find(setup.compared, i) != setup.compared.end();
     // Differences take three sums in 100 digits, so only a quarter of these points are asked.
-    return options_.differences && i % (4 * setup.stride) == 0;
+    return cost != CageQuestion::Cost::Differences || i % (4 * setup.stride) == 0;
   }
 
   std::shared_ptr<const Cage> cage_;
@@ -197,6 +213,12 @@ class MeshMeasurement final : public Measurement {
 
   std::string name() const override { return fmt::format("mesh in {}, {}", cage_->name(), kind_.name); }
   int blocks() const override { return block_count(mesh_->vertices.size(), 500); }
+
+  std::vector<RowKey> rows() const override {
+    std::vector<RowKey> rows;
+    for (const CageQuestion& question : cage_questions(*subject_.get(), mesh_place, 0)) add_rows_of(question, rows);
+    return rows;
+  }
 
   PartialResult measure(int block) const override {
     const CageSubject& subject = *subject_.get();

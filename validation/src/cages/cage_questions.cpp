@@ -17,6 +17,9 @@ namespace {
 using Found = std::array<Finding, 3>;
 using Ask = std::function<Found(const CageAt&)>;
 
+// Of questions that ask for no derivative.
+constexpr Orders values_alone{0, 0};
+
 bool is_off_cage(std::string_view place) { return place == name_of(Place::Inside) || place == name_of(Place::Outside); }
 
 // A NaN is a sample without truth where that is excused, and else one whose figure was lost.
@@ -48,7 +51,7 @@ class Factory {
   }
 
  private:
-  CageQuestion& add(std::string check, const char* unit, Ask ask) {
+  CageQuestion& add(std::string check, const char* unit, Orders orders, Ask ask) {
     CageQuestion& question = questions_.emplace_back();
     question.key = {RowKey::Section::Cage,
                     std::string(kind_.name),
@@ -59,11 +62,16 @@ class Factory {
                     std::string(place_),
                     0};
     question.unit = unit;
+    question.orders = orders;
     question.ask = std::move(ask);
     return question;
   }
-  CageQuestion& add_roundings(std::string check, Ask ask) { return add(std::move(check), "roundings", std::move(ask)); }
-  CageQuestion& add_relative(std::string check, Ask ask) { return add(std::move(check), "relative", std::move(ask)); }
+  CageQuestion& add_roundings(std::string check, Orders orders, Ask ask) {
+    return add(std::move(check), "roundings", orders, std::move(ask));
+  }
+  CageQuestion& add_relative(std::string check, Orders orders, Ask ask) {
+    return add(std::move(check), "relative", orders, std::move(ask));
+  }
 
   // \param of_ones whether the sum of all coordinates is asked for, too
   void add_relations(bool of_ones) {
@@ -78,7 +86,7 @@ class Factory {
     const int asked = is_off_cage(place_) ? order_ : 2;
     const bool outside = place_ == name_of(Place::Outside) && !kind_.normalised;
     const auto add_relation = [&](const char* check, std::array<CageError, 3> CageErrors::*errors) {
-      CageQuestion& question = add_roundings(check, relation(errors));
+      CageQuestion& question = add_roundings(check, {0, order_}, relation(errors));
       question.asked = asked;
       question.cost = CageQuestion::Cost::Relation;
     };
@@ -94,7 +102,7 @@ class Factory {
         }))
       return;
     const bool of_mesh = place_ == mesh_place;
-    add_roundings("non_negativity", [of_mesh](const CageAt& at) {
+    add_roundings("non_negativity", values_alone, [of_mesh](const CageAt& at) {
       if (of_mesh && (!at.is_judged() || at.is_outside())) return Found{};
       return Found{finding_of(at.errors().negative, at)};
     }).cost = CageQuestion::Cost::Sign;
@@ -105,22 +113,22 @@ class Factory {
     add_relations(true);
     if (place_ == name_of(Place::Inside)) add_sign();
     if (order_ == 2 && has_laplacian(subject.coordinates()))
-      add_roundings("cage_laplacian", [](const CageAt& at) {
+      add_roundings("cage_laplacian", {2, 2}, [](const CageAt& at) {
         return Found{{{}, {}, finding_of(at.errors().laplacian, at)}};
       });
-    add_roundings("cage_truth", [&subject, place = place_](const CageAt& at) {
-      Found found;
-      // Coordinates that exist only in double would be compared with themselves.
-      const CageCoordinates& reference = subject.recommended();
-      if (!reference.is_exact_in(ScalarKind::Digits50) || !reference.is_prompt_in(ScalarKind::Digits50)) return found;
-      const auto errors =
-          truth_errors_at(subject.coordinates(), reference, at.point, at.order(), &subject.terms(place));
-      for (int o = 0; o <= at.order(); ++o) found[o] = finding_of(errors[o], at);
-      return found;
-    }).cost = CageQuestion::Cost::Truth;
+    // Coordinates that exist only in double would be compared with themselves.
+    const CageCoordinates& reference = subject.recommended();
+    if (reference.is_exact_in(ScalarKind::Digits50) && reference.is_prompt_in(ScalarKind::Digits50))
+      add_roundings("cage_truth", {0, order_}, [&subject, place = place_](const CageAt& at) {
+        Found found;
+        const auto errors =
+            truth_errors_at(subject.coordinates(), subject.recommended(), at.point, at.order(), &subject.terms(place));
+        for (int o = 0; o <= at.order(); ++o) found[o] = finding_of(errors[o], at);
+        return found;
+      }).cost = CageQuestion::Cost::Truth;
     // Outside, where some kinds have no coordinates, such a point would say nothing.
     if (subject.second_route() && (kind_.missing_because.empty() || place_ == name_of(Place::Inside))) {
-      CageQuestion& question = add_relative("second_route", [&subject](const CageAt& at) {
+      CageQuestion& question = add_relative("second_route", values_alone, [&subject](const CageAt& at) {
         return Found{finding_of(second_route_error_at(subject.coordinates(), *subject.second_route(), at.point), at)};
       });
       question.key.scalar = name_of(subject.second_route()->compared_in());
@@ -128,11 +136,11 @@ class Factory {
     }
     add_rest_derivative();
     for (const std::string& check : CageSymmetries::checks_of(subject.coordinates()))
-      add_roundings(check, [check](const CageAt& at) {
+      add_roundings(check, values_alone, [check](const CageAt& at) {
         return Found{finding_of(at.symmetries().at(check), at)};
       }).cost = CageQuestion::Cost::Truth;
     if (order_ == 2 && subject.coordinates().is_prompt_in(ScalarKind::Digits100)) {
-      CageQuestion& question = add_relative("cage_differences", [&subject](const CageAt& at) {
+      CageQuestion& question = add_relative("cage_differences", {1, 2}, [&subject](const CageAt& at) {
         const std::array<double, 3> errors = subject.symmetries().differences_at(at.point);
         return Found{{{}, finding_of(errors[1], at), finding_of(errors[2], at)}};
       });
@@ -140,7 +148,7 @@ class Factory {
       question.cost = CageQuestion::Cost::Differences;
     }
     if (!kind_.approximates.empty() && place_ == name_of(Place::Inside))
-      add_relative("scheme_error", [&subject](const CageAt& at) {
+      add_relative("scheme_error", {0, order_}, [&subject](const CageAt& at) {
         Found found;
         if (!subject.approximated()) return found;
         const auto errors =
@@ -156,7 +164,7 @@ class Factory {
     if (!RestProducts::exist(coordinates) || coordinates.evaluation() != subject_.recommended().evaluation()) return;
     const auto products = std::make_shared<const RestProducts>(coordinates, subject_.cage(), rest_derivative_of(kind_));
     const auto add = [&](const char* check, CageError (RestProducts::*error)(const Vec3<double>&) const) {
-      add_roundings(check, [products, error](const CageAt& at) {
+      add_roundings(check, values_alone, [products, error](const CageAt& at) {
         return Found{finding_of(((*products).*error)(at.point), at)};
       }).cost = CageQuestion::Cost::SecondRoute;
     };
@@ -172,21 +180,21 @@ class Factory {
       return error ? finding_of(*error, at) : Finding{};
     };
     if (kind_.meets_boundary_data)
-      add_relative("boundary_data", [&subject, known](const CageAt& at) {
+      add_relative("boundary_data", {0, 1}, [&subject, known](const CageAt& at) {
         const auto missed = boundary_data_errors_at(subject.coordinates(), subject.cage(), at.point);
         return missed ? Found{known((*missed)[0], at), known((*missed)[1], at)} : Found{};
       });
     const bool has_derivatives = place_ == name_of(Place::OnFace) && !kind_.normalised;
-    add_relative("limit_from_inside", [&subject, known, has_derivatives](const CageAt& at) {
-      const int order = has_derivatives ? subject.coordinates().max_order() : 0;
+    const int order = has_derivatives ? subject.coordinates().max_order() : 0;
+    add_relative("limit_from_inside", {0, order}, [&subject, known, order](const CageAt& at) {
       const auto errors =
           inside_limit_errors_at(subject.coordinates(), subject.cage(), subject.locator(), at.point, order);
       Found found;
       for (int o = 0; o <= order; ++o) found[o] = known(errors[o], at);
       return found;
     });
-    if (place_ != name_of(Place::OnFace)) return;
-    add_relative("boundary_residual", [&subject, known](const CageAt& at) {
+    if (place_ != name_of(Place::OnFace) || !subject.coordinates().measures_boundary()) return;
+    add_relative("boundary_residual", {0, 1}, [&subject, known](const CageAt& at) {
       const auto residuals = boundary_residuals(subject.coordinates());
       return Found{known(residuals[0], at), known(residuals[1], at)};
     }).once = true;

@@ -100,6 +100,12 @@ class OneRingMeasurement final : public Measurement {
   }
   int blocks() const override { return blocks_; }
 
+  std::vector<RowKey> rows() const override {
+    std::vector<RowKey> rows;
+    for (const auto& question : ring_.questions()) add_rows_of(question, rows);
+    return rows;
+  }
+
   PartialResult measure(int block) const override {
     const std::vector<CagePoint>& points = points_.get();
     PartialResult gathered;
@@ -133,6 +139,7 @@ std::vector<Question<OneRingAt>> OneRing::questions() const {
     Question<OneRingAt> made;
     made.key = {RowKey::Section::Cage, formula_name, evaluation_.name(), "double", cage_->name(), check, "off", 0};
     made.unit = "relative";
+    made.orders = {1, 2};
     made.ask = [errors](const OneRingAt& at) {
       std::array<Finding, 3> found;
       for (int o = 1; o < 3; ++o) {

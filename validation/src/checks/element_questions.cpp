@@ -49,7 +49,9 @@ WorstCase ElementAt::case_of(const Finding& finding, int order) const {
 std::optional<ElementQuestion> element_question(const Check& check, const Evaluation& evaluation, ScalarKind scalar,
                                                 std::string_view regime, int order) {
   const Formula& formula = evaluation.formula();
-  if (!evaluation.supports(scalar) || !check.applies(formula, evaluation, scalar, regime)) return std::nullopt;
+  if (order < check.orders().lowest || !evaluation.supports(scalar) ||
+      !check.applies(formula, evaluation, scalar, regime))
+    return std::nullopt;
   ElementQuestion question{{}, &check, evaluation, scalar};
   question.key = {RowKey::Section::Element,
                   std::string(formula.name),
@@ -60,6 +62,8 @@ std::optional<ElementQuestion> element_question(const Check& check, const Evalua
                   "",
                   0};
   question.unit = check.unit();
+  question.orders = check.orders();
+  question.orders.highest = std::min(question.orders.highest, order);
   // Evaluations with fewer derivatives are asked for fewer.
   question.asked = order < std::min(2, evaluation.max_order()) ? order : 2;
   question.ask = [&check, &formula, evaluation, scalar, order](const ElementAt& at) {

@@ -33,6 +33,7 @@ class HullMeasurement final : public Measurement {
                      "",
                      0};
     question_.unit = "relative";
+    question_.orders = {0, 1};
     question_.ask = [](const HullAt& at) {
       using enum Finding::Status;
       return std::array{Finding{Measured, at.jump.value, at.jump.value},
@@ -42,6 +43,12 @@ class HullMeasurement final : public Measurement {
 
   std::string name() const override { return "hull, " + evaluation_.name(); }
   int blocks() const override { return static_cast<int>(lifts.size()); }
+
+  std::vector<RowKey> rows() const override {
+    std::vector<RowKey> rows;
+    add_rows_of(question_, rows);
+    return rows;
+  }
 
   PartialResult measure(int block) const override {
     const Quad<double> q{Vec3<double>(0, 0, 0), Vec3<double>(1, 0, 0), Vec3<double>(1, 1, lifts[block]),

@@ -17,6 +17,7 @@ Mp100 norm_of(const std::vector<Mp200>& tensor) { return norm(std::vector<Mp100>
 class LaplacianCheck final : public Check {
  public:
   std::string_view name() const override { return "laplacian"; }
+  Orders orders() const override { return {2, 2}; }
   std::string_view description() const override {
     return "trace of the Hessian: zero (harmonic) or the harmonic partner";
   }
@@ -132,6 +133,7 @@ class SubdivisionCheck final : public Check {
 class DifferencesCheck final : public Check {
  public:
   std::string_view name() const override { return "gradient_by_differences"; }
+  Orders orders() const override { return {1, 2}; }
   std::string_view unit() const override { return "relative"; }
   std::string_view description() const override {
     return "derivatives along a direction against central differences, in 200 digits";
@@ -178,6 +180,7 @@ class DifferencesCheck final : public Check {
 class FaceJumpCheck final : public Check {
  public:
   std::string_view name() const override { return "face_jump"; }
+  Orders orders() const override { return {0, 0}; }
   std::string_view unit() const override { return "relative"; }
   std::string_view description() const override {
     return "value just inside minus just outside the face, in 100 digits";

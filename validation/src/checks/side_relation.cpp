@@ -81,6 +81,7 @@ struct Moments {
 class SideRelationCheck final : public Check {
  public:
   std::string_view name() const override { return "side_relation"; }
+  Orders orders() const override { return {0, 0}; }
   Cost cost(ScalarKind) const override { return Cost::Truths; }
   std::string_view description() const override {
     return "moments of the double layer and normals of the single layer against integrals along the sides";

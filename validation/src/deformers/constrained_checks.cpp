@@ -91,6 +91,7 @@ Question<PointAt> ConstrainedChecks::question(std::string_view check, std::strin
                   std::string(pose),
                   0};
   question.unit = "cage sizes";
+  question.orders = {0, 0};
   question.ask = [ask = std::move(ask)](const PointAt& at) {
     const DeformerError error = ask(at.point);
     return std::array<Finding, 3>{Finding{Finding::Status::Measured, error.error, error.plain}};

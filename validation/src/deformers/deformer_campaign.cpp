@@ -72,6 +72,13 @@ class DeformerMeasurement final : public Measurement {
   std::string name() const override { return name_on(*cage_, variant_); }
   int blocks() const override { return 1; }
 
+  std::vector<RowKey> rows() const override {
+    const DeformerChecks checks(cage_, variant_, options_.triangulation, prepared_->get().get());
+    std::vector<RowKey> rows;
+    for (const Question<PointAt>& question : checks.questions()) add_rows_of(question, rows);
+    return rows;
+  }
+
   PartialResult measure(int) const override {
     PartialResult gathered;
     const Asker asker(name(), tells_refusals_, gathered);
@@ -105,6 +112,13 @@ class ConstrainedMeasurement final : public Measurement {
 
   std::string name() const override { return name_on(*cage_, variant_); }
   int blocks() const override { return 1; }
+
+  std::vector<RowKey> rows() const override {
+    const ConstrainedChecks checks(cage_, variant_, options_.triangulation);
+    std::vector<RowKey> rows;
+    for (const Question<PointAt>& question : checks.questions()) add_rows_of(question, rows);
+    return rows;
+  }
 
   PartialResult measure(int) const override {
     PartialResult gathered;

@@ -175,6 +175,7 @@ Question<PointAt> DeformerChecks::question(std::string_view check, std::string_v
                   std::string(pose),
                   0};
   question.unit = "cage sizes";
+  question.orders = {lowest, highest};
   question.ask = [this, lowest, highest, ask = std::move(ask)](const PointAt& at) {
     const Errors errors = ask(at.point);
     std::array<Finding, 3> found;
@@ -260,7 +261,7 @@ DeformerChecks::Ask DeformerChecks::kept(const SpaceMap& map, bool with_normals)
   const auto vertices = std::make_shared<const std::vector<Vec3<double>>>(pose.vertices);
   const auto posed = lazily([this, pose = std::move(pose)] { return deformer_->pose(pose); });
   const std::string_view check = with_normals ? "keeps_linear_with_normals" : map.check;
-  const auto promised = promise_for({check, variant_.method->name, variant_.name, "double", map.pose, 0}).bound;
+  const auto promised = promise_for({check, variant_.method->name, variant_.name, "double", cage_->name(), 0}).bound;
   return [this, map, size, vertices, posed, rounded, promised](const Vec3<double>& point) {
     const int d = cage_->dimension();
     const Vec3<double> image = image_at(*deformer_, *posed->get(), point, d);

@@ -137,6 +137,12 @@ class ElementMeasurement final : public Measurement {
   std::string name() const override { return fmt::format("{}, {}", plan_.formula->name, plan_.regime->name); }
   int blocks() const override { return std::max(1, (end_ + block_size_ - 1) / block_size_); }
 
+  std::vector<RowKey> rows() const override {
+    std::vector<RowKey> rows;
+    for (const Part& part : plan_.parts) add_rows_of(part.question, rows);
+    return rows;
+  }
+
   PartialResult measure(int block) const override {
     PartialResult gathered;
     for (int i = block * block_size_; i < std::min(end_, (block + 1) * block_size_); ++i)

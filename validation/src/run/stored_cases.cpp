@@ -39,7 +39,9 @@ struct StoredAt {
 // The case's question, asked only at the order of its row.
 Question<StoredAt> question_of(const StoredAt& stored) {
   const WorstLine& line = stored.line;
-  Question<StoredAt> question{key_of(line), std::string(find_check(line.check)->unit()), {}, line.worst.asked};
+  const int order = line.order;
+  Question<StoredAt> question{
+      key_of(line), std::string(find_check(line.check)->unit()), {order, order}, {}, line.worst.asked};
   question.ask = [key = question.key](const StoredAt& at) {
     std::array<Finding, 3> found;
     found[key.order] = replay(key, at.line.worst, Triangulation::Shortest);
@@ -56,6 +58,12 @@ class StoredMeasurement final : public Measurement {
 
   std::string name() const override { return "stored worst cases"; }
   int blocks() const override { return block_count(lines_.size(), 8); }
+
+  std::vector<RowKey> rows() const override {
+    std::vector<RowKey> rows;
+    for (const WorstLine& line : lines_) add_rows_of(question_of(StoredAt{line}), rows);
+    return rows;
+  }
 
   PartialResult measure(int block) const override {
     PartialResult gathered;

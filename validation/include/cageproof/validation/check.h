@@ -75,6 +75,8 @@ class Check {
   virtual std::string_view unit() const { return "conditioned"; }
   virtual std::string_view description() const = 0;
   virtual Use use() const { return Use::Property; }
+  /// That it looks at.
+  virtual Orders orders() const { return {}; }
   /// In this scalar.
   virtual Cost cost(ScalarKind scalar) const {
     return scalar == ScalarKind::Float || scalar == ScalarKind::Double ? Cost::Evaluations : Cost::Multiprecision;

@@ -22,6 +22,8 @@ class Measurement {
   virtual int blocks() const = 0;
   /// Measures one of them. Results of different blocks merge to those of the whole.
   virtual PartialResult measure(int block) const = 0;
+  /// Keys of all rows that it may fill, without measuring: those of its questions. Pictures fill none.
+  virtual std::vector<RowKey> rows() const { return {}; }
 
   static constexpr int most_blocks = 16;
 };

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <stdexcept>
+#include <vector>
 
 namespace cageproof::validation {
 
@@ -29,6 +31,12 @@ struct Finding {
   double found = 0;  ///< the evaluation's value of that entry
 };
 
+/// Orders of derivatives, from the lowest to the highest; none where the highest is below the lowest.
+struct Orders {
+  int lowest = 0, highest = 2;
+  bool operator==(const Orders&) const = default;
+};
+
 /// Counts a sample that was put to a row. \pre it was asked \return whether it was measured, so that its error is to be
 /// added
 inline bool counted(Finding::Status status, Tally& tally) {
@@ -46,6 +54,7 @@ template <class At>
 struct Question {
   RowKey key;                                            ///< of its rows, except the order
   std::string unit;                                      ///< of its errors
+  Orders orders;                                         ///< that it may answer
   std::function<std::array<Finding, 3>(const At&)> ask;  ///< by order; safe from any thread
   /// The highest derivative that results are computed with, as cases store it; 2 where results have no higher one.
   int asked = 2;
@@ -60,6 +69,10 @@ void record(const Question<At>& question, const At& at, std::map<RowKey, Tally>&
   RowKey key = question.key;
   for (int o = 0; o < 3; ++o) {
     if (found[o].status == Finding::Status::Unasked) continue;
+    // Or add_rows_of() would miss a row.
+    if (o < question.orders.lowest || o > question.orders.highest)
+      throw std::logic_error("the check " + key.check + " of " + key.subject +
+                             " answers an order that it does not name");
     key.order = o;
     Tally& tally = rows[key];
     tally.unit = question.unit;
@@ -75,6 +88,15 @@ void record(const Question<At>& question, const At& at, std::map<RowKey, Tally>&
     else tally.add(found[o].error, found[o].relative);
     if (curve > 0)
       tally.add_to_curve(at.number() % curve, curve, std::ldexp(found[o].relative, key.scalar == "float" ? 24 : 53));
+  }
+}
+
+/// Adds the keys of all rows that a question may fill.
+template <class At>
+void add_rows_of(const Question<At>& question, std::vector<RowKey>& rows) {
+  for (int o = question.orders.lowest; o <= question.orders.highest; ++o) {
+    rows.push_back(question.key);
+    rows.back().order = o;
   }
 }
 
