@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace cageproof::validation {
 namespace {
 
@@ -189,6 +191,29 @@ TEST(RunPlan, leaves_out_what_a_cage_that_overlaps_itself_has_not) {
   const RunPlan touching = plan_run(options);
   EXPECT_EQ(touching.warnings, std::vector<std::string>());
   EXPECT_GE(measured(touching, "deformer ahap"), 1);
+}
+
+// Somebody waits for the verdict on one cage, so that nothing is asked again that is proven on other cages.
+TEST(RunPlan, asks_in_a_users_cage_what_depends_on_the_cage) {
+  VerifyOptions options;
+  options.suite = suites().front();
+  options.only_cage = true;
+  options.cage = Cage::make("corner", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {.3, .3, .7}},
+                            {{{0, 2, 1, -1}}, {{0, 1, 3, -1}}, {{0, 3, 2, -1}}, {{1, 2, 3, -1}}});
+  for (const bool has_time_limit : {true, false}) {
+    options.suite.has_time_limit = has_time_limit;
+    const RunPlan plan = plan_run(options);
+    for (const std::string method : {"biharmonic_1_3", "elastic"}) {
+      std::set<std::string> checks;
+      for (const auto& measurement : plan.measurements)
+        if (measurement->name().starts_with("corner, deformer " + method + ", "))
+          for (const auto& [key, tally] : measurement->measure(0).rows) checks.insert(key.check);
+      EXPECT_TRUE(checks.contains("keeps_rigid")) << method;
+      EXPECT_EQ(checks.contains("deformer_truth"), !has_time_limit || method == "biharmonic_1_3") << method;
+      for (const char* check : {"second_route", "deformer_by_quadrature"})
+        EXPECT_EQ(checks.contains(check), !has_time_limit && method == "biharmonic_1_3") << method << ' ' << check;
+    }
+  }
 }
 
 TEST(RunPlan, counts_the_points_that_lie_outside_the_cage) {

@@ -17,6 +17,9 @@ struct DeformerCampaignOptions {
   int jobs = 0;
   /// Methods whose kind solves on samples in space are left out of cages with more elements: their kinds are, too.
   int solved_elements = std::numeric_limits<int>::max();
+  /// Whether to ask what tells of a method's code more than of the cage, and takes most of the time in space: second
+  /// routes, quadrature, and 50 digits of kinds that solve, whose coordinates have a truth of their own, or keep quads.
+  bool proves_methods = true;
   /// Told which method is prepared, where `refused` is given. Null: nobody.
   std::function<void(const std::string&)> doing = nullptr;
 };

@@ -191,6 +191,7 @@ class Planner {
     RefusedMethods refused;
     DeformerCampaignOptions campaign{.triangulation = options_.triangulation, .seed = options_.seed};
     campaign.doing = options_.doing;
+    campaign.proves_methods = !is_awaited();
     if (options_.cage) campaign.solved_elements = cage_options().solved_elements;
     Measurements found = deformer_measurements(cage, campaign, options_.cage ? &refused : nullptr);
     doing("planning");
@@ -338,10 +339,12 @@ class Planner {
       }
   }
 
-  // Somebody waits for the verdict on one cage.
+  // Somebody waits for the verdict on one cage, and other runs prove what is no matter of the cage.
+  bool is_awaited() const { return options_.only_cage && options_.suite.has_time_limit; }
+
   int block_points_of_run() const {
     const Suite& suite = options_.suite;
-    return options_.only_cage && suite.has_time_limit ? 2 * suite.block_points / 3 : suite.block_points;
+    return is_awaited() ? 2 * suite.block_points / 3 : suite.block_points;
   }
 
   BlockCampaignOptions block_options() const {
@@ -444,10 +447,10 @@ class Planner {
           fmt::format("{}: error fields of coordinates that keep its quads are drawn by longer suites", cage->name()));
   }
 
-  // Whether a field shows a kind against its truth. Truths of quads take so long that suites in a hurry, on cages that
-  // nobody asked for, had six points per side.
+  // Whether a field shows a kind against its truth. Truths of quads take so long that suites in a hurry had six
+  // points per side.
   bool shows_truth(const CoordinateKind& kind, const Cage& cage) const {
-    return options_.cage || !options_.suite.has_time_limit || !kind.is_sum() || !kind.keeps_quads || !cage.has_quads();
+    return !options_.suite.has_time_limit || !kind.is_sum() || !kind.keeps_quads || !cage.has_quads();
   }
 
   // Fields show where errors sit, and promise nothing: those of larger embedded cages are for suites with time.
@@ -480,10 +483,7 @@ class Planner {
   }
 
   // A verdict on one cage does not wait for a picture that promises nothing.
-  int scene_pairs() const {
-    const Suite& suite = options_.suite;
-    return options_.only_cage && suite.has_time_limit ? suite.scene_pairs / 3 : suite.scene_pairs;
-  }
+  int scene_pairs() const { return is_awaited() ? options_.suite.scene_pairs / 3 : options_.suite.scene_pairs; }
 
   // One scene a run, of the first kind that papers print and of the suite's cage, or the user's; all of them
   // in suites with time. It takes the place of a slice of the recommended evaluation's rounding noise.
