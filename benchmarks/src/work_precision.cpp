@@ -194,8 +194,8 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
   WorkPrecision result = empty_measurement(formula.name, options);
   result.notes = std::move(notes);
   result.where = "one element";
-  result.error = options.relative ? "relative error" : "conditioned error";
-  result.unit = options.relative ? "1" : "u";
+  result.error = "relative error";
+  result.unit = "1";
   const Mp100 u(unit_roundoff<double>());
   for (const RegimePlace& place : places_of(regimes, options)) {
     std::vector<Sample> samples(options.samples);
@@ -223,8 +223,10 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
       for (std::size_t i = 0; i < samples.size(); ++i) {
         if (!truths[i].exists[options.order]) continue;
         const Result<double> found = evaluate<double>(one.front(), samples[i], options.order);
-        errors.push_back(options.relative ? relative_error(found, truths[i], options.order)
-                                          : conditioned_error(found, truths[i], options.order, u));
+        errors.push_back(relative_error(found, truths[i], options.order));
+        if (options.relative) continue;
+        const double units = conditioned_error(found, truths[i], options.order, u);
+        row.units = std::max(row.units.value_or(0), std::isfinite(units) ? units : HUGE_VAL);
       }
       summarise(std::move(errors), row);
       timed.evaluations.assign(timed.samples.size(), {&one.front()});

@@ -183,7 +183,7 @@ void add_bench(CommandLine& line, const std::string& command_line) {
             "one row for each distance, or other parameter that the regime sweeps, of a formula's errors")
       .excludes(kind)
       .excludes(coordinates);
-  command.flag("--relative", a->options.relative, "relative instead of conditioned errors of a formula")
+  command.flag("--relative", a->options.relative, "leave out a formula's conditioned units")
       .excludes(kind)
       .excludes(coordinates);
   command.option("--timed", a->options.timed, "number of pairs that are timed one by one, per evaluation and place")

@@ -13,25 +13,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace cageproof::reports {
 std::string work_precision_csv(const WorkPrecision& r) {
   std::string csv =
       "subject,where,place,distance,evaluation,order,samples,nonfinite,largest,rms,median,error,unit,nodes,"
-      "nanoseconds,median_nanoseconds,quantile_nanoseconds,timed\n";
+      "nanoseconds,median_nanoseconds,quantile_nanoseconds,timed,units\n";
   for (const WorkPrecisionRow& row : r.rows)
-    csv +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(r.subject), csv_field(r.where),
-                    csv_field(row.place), row.distance, csv_field(row.evaluation), r.order, row.samples, row.nonfinite,
-                    row.largest, row.rms, row.median, csv_field(r.error), csv_field(r.unit), row.nodes, row.nanoseconds,
-                    row.median_nanoseconds, row.quantile_nanoseconds, row.timed);
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(r.subject),
+                       csv_field(r.where), csv_field(row.place), row.distance, csv_field(row.evaluation), r.order,
+                       row.samples, row.nonfinite, row.largest, row.rms, row.median, csv_field(r.error),
+                       csv_field(r.unit), row.nodes, row.nanoseconds, row.median_nanoseconds, row.quantile_nanoseconds,
+                       row.timed, row.units ? fmt::format("{}", *row.units) : "");
   return csv;
 }
 
 std::string work_precision_json(const WorkPrecision& r) {
   Json rows = Json::array();
-  for (const WorkPrecisionRow& row : r.rows)
+  for (const WorkPrecisionRow& row : r.rows) {
     rows.push_back({{"place", row.place},
                     {"distance", row.distance},
                     {"evaluation", row.evaluation},
@@ -45,6 +44,8 @@ std::string work_precision_json(const WorkPrecision& r) {
                     {"median_nanoseconds", row.median_nanoseconds},
                     {"quantile_nanoseconds", row.quantile_nanoseconds},
                     {"timed", row.timed}});
+    if (row.units) rows.back()["units"] = json_number(*row.units);
+  }
   const Json all = {
       {"schema", "cageproof-work-precision"},
       {"schema_version", 1},
@@ -64,16 +65,32 @@ std::string work_precision_json(const WorkPrecision& r) {
 }
 
 std::string work_precision_text(const WorkPrecision& r) {
-  std::vector<std::array<std::string, 11>> lines{{"place", "evaluation", "samples", "largest", "rms", "median", "nodes",
-                                                  "timed", "ns/" + r.timed + " median", "mean", "99.9 %"}};
-  for (const WorkPrecisionRow& row : r.rows)
-    lines.push_back({row.place, row.evaluation, fmt::format("{}", row.samples), short_error(row.largest),
-                     short_error(row.rms), short_error(row.median),
-                     // Nodes are not counted for evaluations that are prepared for a whole cage.
-                     r.timed == "point" && row.nodes == 0 ? "-" : fmt::format("{:.0f}", row.nodes),
-                     fmt::format("{}", row.timed), fmt::format("{:.0f}", row.median_nanoseconds),
-                     fmt::format("{:.0f}", row.nanoseconds), fmt::format("{:.0f}", row.quantile_nanoseconds)});
-  std::array<std::size_t, 11> width{};
+  // Digits first, which say what a result is worth; conditioned units are few next to an edge whatever it is.
+  const bool has_digits = r.error == "relative error";
+  const bool has_units = std::ranges::any_of(r.rows, [](const WorkPrecisionRow& row) { return row.units.has_value(); });
+  std::vector<std::vector<std::string>> lines(1 + r.rows.size());
+  const auto add_column = [&](const std::string& title, const auto& text_of) {
+    lines[0].push_back(title);
+    for (std::size_t i = 0; i < r.rows.size(); ++i) lines[i + 1].push_back(text_of(r.rows[i]));
+  };
+  const auto whole = [](double x) { return fmt::format("{:.0f}", x); };
+  using Row = WorkPrecisionRow;
+  add_column("place", [](const Row& row) { return row.place; });
+  add_column("evaluation", [](const Row& row) { return row.evaluation; });
+  add_column("samples", [](const Row& row) { return fmt::format("{}", row.samples); });
+  if (has_digits) add_column("digits", [](const Row& row) { return digits_kept(row.largest, "double"); });
+  if (has_units)
+    add_column("(units)", [](const Row& row) { return fmt::format("({})", short_error(row.units.value_or(0))); });
+  add_column("largest", [](const Row& row) { return short_error(row.largest); });
+  add_column("rms", [](const Row& row) { return short_error(row.rms); });
+  add_column("median", [](const Row& row) { return short_error(row.median); });
+  // Nodes are not counted for evaluations that are prepared for a whole cage.
+  add_column("nodes", [&](const Row& row) { return r.timed == "point" && row.nodes == 0 ? "-" : whole(row.nodes); });
+  add_column("timed", [](const Row& row) { return fmt::format("{}", row.timed); });
+  add_column("ns/" + r.timed + " median", [&](const Row& row) { return whole(row.median_nanoseconds); });
+  add_column("mean", [&](const Row& row) { return whole(row.nanoseconds); });
+  add_column("99.9 %", [&](const Row& row) { return whole(row.quantile_nanoseconds); });
+  std::vector<std::size_t> width(lines[0].size());
   for (const auto& line : lines)
     for (std::size_t c = 0; c < line.size(); ++c) width[c] = std::max(width[c], line[c].size());
   std::string text = fmt::format("{}, {}: {} [{}], order {}\n", r.subject, r.where, r.error, r.unit, r.order);
@@ -82,6 +99,10 @@ std::string work_precision_text(const WorkPrecision& r) {
     for (std::size_t c = 2; c < line.size(); ++c) text += fmt::format("  {:>{}}", line[c], width[c]);
     text += '\n';
   }
+  if (has_units)
+    text +=
+        "digits: correct ones of the worst result; (units): the largest conditioned error, in roundings of what the "
+        "problem allows\n";
   for (const std::string& note : r.notes) text += note + '\n';
   return text;
 }

@@ -17,7 +17,7 @@ struct WorkPrecisionOptions {
   int samples = 32;           ///< a place
   int order = 0;              ///< of formulas; cages are asked only for values
   bool by_parameter = false;  ///< a place for each parameter of a regime (distance ...), instead of one for all
-  bool relative = false;      ///< relative errors of formulas, norm-wise, instead of conditioned ones
+  bool relative = false;      ///< leaves the conditioned errors of formulas out
   int timed = 1000;           ///< pairs timed, an evaluation and place, each by itself
   /// Spent on the pairs beyond the first 64, an evaluation and place; of whole coordinates, timed at least.
   double seconds = 0.5;

@@ -17,7 +17,8 @@ std::string work_precision_csv(const WorkPrecision& result);
 /// Schema "cageproof-work-precision", "schema_version" 1; infinite numbers are the string "inf".
 std::string work_precision_json(const WorkPrecision& result);
 
-/// Aligned columns, errors rounded up to two digits.
+/// Aligned columns, errors rounded up to two digits. Of a formula the worst result's correct digits come first, and
+/// beside them conditioned units.
 std::string work_precision_text(const WorkPrecision& result);
 
 /// A folder with work_precision.csv, work_precision.json, pictures/error_nodes.png, pictures/error_time.png and for

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,9 @@ struct WorkPrecisionRow {
   std::uint64_t samples = 0;
   std::uint64_t nonfinite = 0;  ///< errors that are not finite
   double largest = 0, rms = 0,
-         median = 0;  ///< of the errors, in WorkPrecision::unit; one that is not finite counts as infinite
-  double nodes = 0;   ///< mean kernel evaluations of one formula on one element; 0 for closed forms
+         median = 0;            ///< of the errors, in WorkPrecision::unit; one that is not finite counts as infinite
+  std::optional<double> units;  ///< the largest conditioned error of a formula, in u
+  double nodes = 0;             ///< mean kernel evaluations of one formula on one element; 0 for closed forms
   /// Times on one thread of the set that WorkPrecision::timed names, over all formulas of the subject: the mean, the
   /// median, and the 99.9 % quantile.
   double nanoseconds = 0, median_nanoseconds = 0, quantile_nanoseconds = 0;
@@ -34,8 +36,8 @@ struct WorkPrecisionRow {
 struct WorkPrecision {
   std::string subject;  ///< a formula, or a kind of cage coordinates
   std::string where;    ///< the cage, or "one element"
-  std::string error;    ///< what the errors are: "partition of unity residual", "conditioned error"
-  std::string unit;     ///< "1", "u"
+  std::string error;    ///< what the errors are: "partition of unity residual", "relative error"
+  std::string unit;     ///< "1"
   std::string timed =
       "pair";  ///< what nanoseconds are of: a "pair" of point and element, or a "point" with the whole cage
   int order = 0;
