@@ -51,7 +51,7 @@ struct Options {
 /// A block of coordinates: one for each vertex, element, or corner of an element.
 struct Block {
   std::string label;  ///< "phi", "psi", "lambda" ...
-  /// What each coordinate belongs to: "vertex", "element", "corner" (element by element), or "normal"
+  /// The owner of each coordinate: "vertex", "element", "corner" (element by element), or "normal"
   /// (Element::normals).
   std::string one_a;
   std::size_t count;   ///< number of coordinates
