@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-namespace cageproof::deformation::test {
+namespace cageproof::deformation::test::nearest_motion_test {
 namespace {
 
 using Vec = Vec3<double>;
@@ -83,4 +83,4 @@ TEST(nearest_motion, follows_orientations) {
 }
 
 }  // namespace
-}  // namespace cageproof::deformation::test
+}  // namespace cageproof::deformation::test::nearest_motion_test
