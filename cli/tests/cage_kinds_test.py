@@ -108,7 +108,7 @@ def check_tables(stem, data):
 
 
 def main():
-    for name in ("check.py", "check.js", "check.h"):
+    for name in ("check.py", "check.js", "vector_checks.h"):
         shutil.copy(CHECKERS / name, name)
     for case in CASES:
         kind, cage = case.split(".")

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
- * Checks one function against vectors of `cageproof vectors`: the values of FORMULA.txt. Plain C99; needs no library but C's, and check.h
+ * Checks one function against vectors of `cageproof vectors`: the values of FORMULA.txt. Plain C99; needs no library but C's, and vector_checks.h
  * beside it.
  *
  *     cc -std=c99 -O1 check.c -lm -o check
  *     ./check vectors/triangle.solid_angle.txt [BOUND]
  *
  * Replace `function`, and FORMULA. Exit 0: all vectors within BOUND conditioned units (64); 1: not all; 2: the file cannot be read. */
-#include "check.h"
+#include "vector_checks.h"
 
 #define FORMULA "triangle.solid_angle" /* of your function */
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  * Checks coordinates of a whole cage against vectors of `cageproof vectors --kinds`: KIND.CAGE.txt. Plain C99; needs no
- * library but C's, and check.h beside it.
+ * library but C's, and vector_checks.h beside it.
  *
  *     cc -std=c99 -O1 check_cage.c -lm -o check_cage
  *     ./check_cage vectors/mean_value.cube.txt [BOUND]
  *
  * Replace `coordinates`, KIND and QUADS. Exit 0: all vectors within BOUND units (64); 1: not all; 2: the file cannot be read. */
-#include "check.h"
+#include "vector_checks.h"
 
 #define KIND "mean_value" /* of your function */
 #define QUADS 0           /* whether its cages have quads */

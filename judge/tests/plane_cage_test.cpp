@@ -24,7 +24,7 @@ Limits plane_limits() {
   return found;
 }
 
-CageQuestion triangle(double x) {
+CageRequest triangle(double x) {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, -1}, {1, 2, -1}, {2, 0, -1}}, {{x, 0.25, 0}}, 2};
 }
 
@@ -36,7 +36,7 @@ std::string keys_in(const CageVerdict& verdict) {
 }
 
 // By the suite: the blocks one after another.
-std::vector<double> suite(const CageQuestion& q, std::string_view kind) {
+std::vector<double> suite(const CageRequest& q, std::string_view kind) {
   const CageCoordinates coordinates(q.cage(), coordinate_kind_named(kind), CoordinateOptions{"hybrid"});
   std::vector<double> values;
   for (const auto& block : coordinates.at<double>(q.points[0], 0))
@@ -112,7 +112,7 @@ TEST(plane_cage, threshold_is_named) {
 
 // Angles without their sign give the same numbers in convex polygons; the arrowhead has them wrong.
 TEST(plane_cage, unsigned_angles_are_wrong_in_an_arrowhead) {
-  const auto positive = [](const CageQuestion& q) {
+  const auto positive = [](const CageRequest& q) {
     std::vector<double> weights(q.vertices.size(), 0.0);
     double sum = 0;
     for (const auto& face : q.faces) {
@@ -136,7 +136,7 @@ TEST(plane_cage, kinds_of_the_suite_are_clean_in_both_dimensions) {
   for (const int dimension : {2, 3}) {
     for (const std::string_view kind : {"mean_value", "green", "biharmonic"}) {
       const CageVerdict verdict =
-          judge_whole_cage([=](const CageQuestion& q) { return suite(q, kind); }, kind, dimension);
+          judge_whole_cage([=](const CageRequest& q) { return suite(q, kind); }, kind, dimension);
       EXPECT_EQ(keys_in(verdict), "") << kind << dimension;
       ASSERT_TRUE(verdict.convention) << kind << dimension;
       EXPECT_EQ(verdict.convention->sentence, "yours is ours") << kind << dimension;
@@ -146,7 +146,7 @@ TEST(plane_cage, kinds_of_the_suite_are_clean_in_both_dimensions) {
 
 TEST(plane_cage, other_conventions_are_said_and_are_no_defects) {
   // Without 1/(2 pi); psi a mean over the segment, and first.
-  const auto theirs = [](const CageQuestion& q) {
+  const auto theirs = [](const CageRequest& q) {
     const std::vector<double> ours = suite(q, "green");
     std::vector<double> found;
     for (std::size_t s = 0; s < q.faces.size(); ++s) {

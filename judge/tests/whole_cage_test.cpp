@@ -25,7 +25,7 @@ namespace {
 
 using ZooCage = void (*)(const zoo_cage*);
 
-std::vector<double> asked(ZooCage function, const CageQuestion& q) {
+std::vector<double> asked(ZooCage function, const CageRequest& q) {
   std::vector<double> coordinates(q.points.size() * q.vertices.size());
   std::vector<int> corners;
   for (const Face& face : q.faces) corners.insert(corners.end(), face.vertices.begin(), face.vertices.begin() + 3);
@@ -43,7 +43,7 @@ std::string found_in(const CageVerdict& verdict) {
 }
 
 std::string keys_of(ZooCage function) {
-  return found_in(judge_whole_cage([=](const CageQuestion& q) { return asked(function, q); }, "mean_value"));
+  return found_in(judge_whole_cage([=](const CageRequest& q) { return asked(function, q); }, "mean_value"));
 }
 
 TEST(whole_cage, each_defect_is_named_and_nothing_else) {
@@ -57,7 +57,7 @@ TEST(whole_cage, each_defect_is_named_and_nothing_else) {
 
 TEST(whole_cage, values_that_are_appended_have_the_wrong_size) {
   std::vector<double> all;
-  const auto appended = [&](const CageQuestion& q) {
+  const auto appended = [&](const CageRequest& q) {
     const auto more = asked(zoo_cage_sound, q);
     all.insert(all.end(), more.begin(), more.end());
     return all;
@@ -67,14 +67,14 @@ TEST(whole_cage, values_that_are_appended_have_the_wrong_size) {
 
 TEST(whole_cage, constants_and_nan_are_no_state) {
   for (const double constant : {0.25, 0., HUGE_VAL, std::nan("")}) {
-    const auto same = [=](const CageQuestion& q) { return std::vector<double>(q.vertices.size(), constant); };
+    const auto same = [=](const CageRequest& q) { return std::vector<double>(q.vertices.size(), constant); };
     EXPECT_EQ(found_in(judge_whole_cage(same, "mean_value")).find("state"), std::string::npos) << constant;
   }
 }
 
 TEST(whole_cage, state_is_shown_with_the_right_coordinates_of_its_question) {
   std::vector<double> last;
-  const auto previous = [&](const CageQuestion& q) {
+  const auto previous = [&](const CageRequest& q) {
     auto now = asked(zoo_cage_sound, q);
     if (last.size() != now.size()) last = now;
     std::swap(last, now);
@@ -89,7 +89,7 @@ TEST(whole_cage, state_is_shown_with_the_right_coordinates_of_its_question) {
 }
 
 TEST(whole_cage, single_precision_is_few_digits) {
-  const auto rounded = [](const CageQuestion& q) {
+  const auto rounded = [](const CageRequest& q) {
     auto coordinates = asked(zoo_cage_sound, q);
     for (double& x : coordinates) x = static_cast<float>(x);
     return coordinates;
@@ -98,7 +98,7 @@ TEST(whole_cage, single_precision_is_few_digits) {
 }
 
 TEST(whole_cage, values_without_their_sum_are_right_after_normalising) {
-  const auto raw = [](const CageQuestion& q) {
+  const auto raw = [](const CageRequest& q) {
     auto weights = asked(zoo_cage_sound, q);
     for (double& w : weights) w *= 1 + (q.points[0] - q.vertices[0]).norm() / (q.vertices[1] - q.vertices[0]).norm();
     return weights;
@@ -107,7 +107,7 @@ TEST(whole_cage, values_without_their_sum_are_right_after_normalising) {
 }
 
 // Green coordinates by the suite: phi of the vertices, then psi of the faces.
-std::vector<double> green(const CageQuestion& q) {
+std::vector<double> green(const CageRequest& q) {
   const CageCoordinates coordinates(q.cage(), coordinate_kind_named("green"), CoordinateOptions{"hybrid"});
   std::vector<double> values;
   for (const auto& block : coordinates.at<double>(q.points[0], 0))
@@ -117,7 +117,7 @@ std::vector<double> green(const CageQuestion& q) {
 
 // As somebody has them whose faces are clockwise, whose potentials lack 1/(4 pi), whose psi is a mean over the face and
 // stands first.
-std::vector<double> other_green(const CageQuestion& q) {
+std::vector<double> other_green(const CageRequest& q) {
   const std::vector<double> ours = green(q);
   std::vector<double> theirs;
   for (std::size_t f = 0; f < q.faces.size(); ++f) {
@@ -151,7 +151,7 @@ TEST(whole_cage, other_conventions_are_said_and_are_no_defects) {
 }
 
 TEST(whole_cage, defects_in_another_convention_are_named) {
-  const auto twice = [](const CageQuestion& q) {
+  const auto twice = [](const CageRequest& q) {
     auto weights = asked(zoo_cage_absolute_threshold, q);
     for (double& w : weights) w *= 2;
     return weights;
@@ -163,7 +163,7 @@ TEST(whole_cage, defects_in_another_convention_are_named) {
 }
 
 TEST(whole_cage, single_precision_in_another_convention_is_few_digits) {
-  const auto rounded = [](const CageQuestion& q) {
+  const auto rounded = [](const CageRequest& q) {
     auto values = other_green(q);
     for (double& x : values) x = static_cast<float>(x);
     return values;
@@ -176,7 +176,7 @@ TEST(whole_cage, single_precision_in_another_convention_is_few_digits) {
 }
 
 TEST(whole_cage, all_signs_turned_are_those_of_the_fundamental_solution) {
-  const auto turned = [](const CageQuestion& q) {
+  const auto turned = [](const CageRequest& q) {
     auto values = green(q);
     for (double& x : values) x = -x;
     return values;
@@ -188,7 +188,7 @@ TEST(whole_cage, all_signs_turned_are_those_of_the_fundamental_solution) {
 }
 
 TEST(whole_cage, wrong_faces_are_not_blamed_on_the_sum_over_vertices) {
-  const auto by_count = [](const CageQuestion& q) {
+  const auto by_count = [](const CageRequest& q) {
     auto values = green(q);
     for (std::size_t f = q.vertices.size(); f < values.size(); ++f) values[f] *= static_cast<double>(q.faces.size());
     return values;
@@ -200,14 +200,14 @@ TEST(whole_cage, wrong_faces_are_not_blamed_on_the_sum_over_vertices) {
 }
 
 TEST(whole_cage, not_a_number_has_no_cause_among_wrong_values) {
-  const auto nothing = [](const CageQuestion& q) {
+  const auto nothing = [](const CageRequest& q) {
     return std::vector<double>(q.vertices.size() + q.faces.size(), std::nan(""));
   };
   EXPECT_EQ(found_in(judge_whole_cage(nothing, "green")), "");
 }
 
 TEST(whole_cage, factors_that_depend_on_the_point_are_no_convention) {
-  const auto drifting = [](const CageQuestion& q) {
+  const auto drifting = [](const CageRequest& q) {
     auto values = green(q);
     for (double& x : values) x *= 1 + 1e-3 * q.points[0].x();
     return values;

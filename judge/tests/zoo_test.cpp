@@ -30,7 +30,7 @@ std::string text_of(const Verdict& verdict) {
   std::ostringstream text;
   text.precision(17);
   text << verdict.convention_sentence << '\n';
-  for (const Finding& f : verdict.findings) {
+  for (const FoundDefect& f : verdict.findings) {
     text << f.defect->key << " (order " << f.order << ", " << f.cases << " cases): " << f.evidence << "\n ";
     for (const auto& corner : f.input.corners) text << " [" << corner.transpose() << ']';
     text << " at " << f.input.point.transpose() << "\n  ours";
@@ -49,7 +49,7 @@ TEST_P(Zoo, is_named_and_nothing_else_is_claimed) {
   const Verdict verdict = judge(zoo_evaluation(member.formula, member.name, member.function, member.max_order), {});
   if (std::getenv("CAGEPROOF_ZOO_TEXT") != nullptr) std::cout << text_of(verdict);
   std::string found;
-  for (const Finding& finding : verdict.findings)
+  for (const FoundDefect& finding : verdict.findings)
     found += (found.empty() ? "" : " ") + std::string(finding.defect->key);
   EXPECT_EQ(found, member.defect) << text_of(verdict);
   if (*member.sentence != 0) EXPECT_EQ(verdict.convention_sentence, member.sentence);

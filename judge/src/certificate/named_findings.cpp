@@ -55,7 +55,7 @@ std::vector<CodeFinding> named_findings(const Verdict& verdict, const Formula& f
   if (has_other || !verdict.convention)
     found.push_back({"convention", verdict.convention_sentence, name, 0, "", 1, false});
   const Formula& computed = verdict.convention ? formula_named(verdict.convention->formula) : formula;
-  for (const Finding& finding : verdict.findings) {
+  for (const FoundDefect& finding : verdict.findings) {
     const Defect& defect = *finding.defect;
     found.push_back({std::string(defect.key), sentence(defect, finding.evidence, finding.ours, finding.theirs), name,
                      finding.order, line_of(finding.input, computed), std::max<std::uint64_t>(1, finding.cases), true});

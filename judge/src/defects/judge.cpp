@@ -33,7 +33,7 @@ bool is_ambiguous(const Study& study, const Case& c) {
 }
 
 // The finding of one defect from all the cases that it explains.
-Finding finding_of(const Study& study, const Signature& signature, const std::vector<const Case*>& cases) {
+FoundDefect finding_of(const Study& study, const Signature& signature, const std::vector<const Case*>& cases) {
   const int dim = study.formula().dim();
   const Case& shortest = **std::ranges::min_element(cases, {}, [&](const Case* c) {
     return std::tuple(c->order, is_ambiguous(study, *c), length_of(c->probe->sample, dim));
@@ -72,9 +72,9 @@ Explained explained_by_signature(const Study& study) {
   return clear;
 }
 
-std::vector<Finding> findings_of(const Study& study) {
+std::vector<FoundDefect> findings_of(const Study& study) {
   const Explained explained = explained_by_signature(study);
-  std::vector<Finding> findings;
+  std::vector<FoundDefect> findings;
   for (const Signature& signature : signatures())
     if (const auto found = explained.find(&signature); found != explained.end())
       findings.push_back(finding_of(study, signature, found->second));

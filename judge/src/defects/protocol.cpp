@@ -170,17 +170,17 @@ constexpr std::array kAttempts{
 
 }  // namespace
 
-std::optional<Finding> find_disturbed_calls(const Evaluation& theirs, std::uint64_t seed, int order) {
+std::optional<FoundDefect> find_disturbed_calls(const Evaluation& theirs, std::uint64_t seed, int order) {
   Trial trial{theirs, order, convention_samples(theirs.formula(), seed, false, true)};
   for (Sample& sample : trial.samples) sample = in_eighths(sample);
   for (const Attempt& attempt : kAttempts)
     if (Evidence evidence = attempt.find(trial))
-      return Finding{
+      return FoundDefect{
           .defect = &defect_named(attempt.key), .input = trial.samples[0], .cases = 1, .evidence = *evidence};
   return std::nullopt;
 }
 
-std::optional<Finding> find_ignored_parameter(const Evaluation& theirs, std::uint64_t seed) {
+std::optional<FoundDefect> find_ignored_parameter(const Evaluation& theirs, std::uint64_t seed) {
   const Formula& formula = theirs.formula();
   const auto samples = convention_samples(formula, seed, false, false);
   for (std::size_t p = 0; p < formula.parameters.size(); ++p) {
@@ -190,7 +190,7 @@ std::optional<Finding> find_ignored_parameter(const Evaluation& theirs, std::uin
     const Tensors theirs_one = tensors_of(theirs, one, 0), theirs_other = tensors_of(theirs, other, 0);
     const Tensors ours_one = reference_of(formula, one, 0), ours_other = reference_of(formula, other, 0);
     if (!same(theirs_one[0], theirs_other[0]) || same(ours_one[0], ours_other[0], 1e-9)) continue;
-    return Finding{
+    return FoundDefect{
         .defect = &defect_named("ignored_parameter"),
         .order = 0,
         .input = other,

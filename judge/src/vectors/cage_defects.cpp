@@ -20,7 +20,7 @@ std::vector<double> right_of(const Formula& formula, const validation::Sample& s
   return validation::evaluate<double>(*evaluation, sample, 0).value;
 }
 
-validation::Sample sample_of(const Face& face, const CageQuestion& q, const Vec3<double>& point,
+validation::Sample sample_of(const Face& face, const CageRequest& q, const Vec3<double>& point,
                              const Formula& formula) {
   validation::Sample sample;
   for (int k = 0; k < face.size(); ++k)
@@ -48,7 +48,7 @@ void add_to(Numbers& block, std::size_t& next, const Numbers& values, const Face
 /// Sums a kind over the elements of a cage, by a defect of its formulas where there is one, or null for none.
 /// \return nothing where the defect acts on no element
 std::optional<Numbers> summed(const CageVectorSet& set, const Vec3<double>& point, const KnownDefect* defect) {
-  const CageQuestion& q = set.question;
+  const CageRequest& q = set.question;
   Numbers all;
   bool acts = defect == nullptr;
   for (std::size_t b = 0; b < set.blocks.size(); ++b) {
@@ -70,7 +70,7 @@ std::optional<Numbers> summed(const CageVectorSet& set, const Vec3<double>& poin
   return all;
 }
 
-Numbers numbers_of(const CageQuestion& question, std::string_view kind, const Vec3<double>& point) {
+Numbers numbers_of(const CageRequest& question, std::string_view kind, const Vec3<double>& point) {
   const CageCoordinates coordinates(question.cage(), coordinate_kind_named(kind), CoordinateOptions{});
   Numbers all;
   for (const auto& block : coordinates.at<double>(point, 0))

@@ -23,8 +23,8 @@ constexpr std::array<std::string_view, 8> kKinds{"mean_value",           "green"
                                                  "biharmonic_affine",    "somigliana",     "quad_mean_value",
                                                  "spherical_mean_value", "maximum_entropy"};
 
-CageQuestion tetrahedron(double unit) {
-  CageQuestion question{{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}, {1, 1, 2}}, {}, {}};
+CageRequest tetrahedron(double unit) {
+  CageRequest question{{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}, {1, 1, 2}}, {}, {}};
   for (Vec3<double>& vertex : question.vertices) vertex *= unit;
   for (const auto& [a, b, c] : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
     question.faces.push_back({{a, b, c, -1}});
@@ -32,8 +32,8 @@ CageQuestion tetrahedron(double unit) {
 }
 
 // A box with one vertex moved: the three quads that meet there are bent.
-CageQuestion bent_box() {
-  CageQuestion question{
+CageRequest bent_box() {
+  CageRequest question{
       {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}, {0, 0, 2}, {4, 0, 2}, {5, 4, 3}, {0, 3, 2}}, {}, {}};
   for (const auto& corners :
        {std::array{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}})

@@ -30,7 +30,7 @@ struct Layout {
   std::size_t all = 0;
 };
 
-Layout layout_of(const CageQuestion& question, std::string_view kind) {
+Layout layout_of(const CageRequest& question, std::string_view kind) {
   const CageCoordinates coordinates(question.cage(), coordinate_kind_named(kind), CoordinateOptions{});
   Layout layout;
   for (const CoordinateBlock& block : coordinates.blocks()) {
@@ -174,7 +174,7 @@ bool CageConvention::is_ours() const {
   return true;
 }
 
-std::vector<double> CageConvention::in_ours(const CageQuestion& question, std::string_view kind,
+std::vector<double> CageConvention::in_ours(const CageRequest& question, std::string_view kind,
                                             std::vector<double> theirs) const {
   if (is_ours()) return theirs;
   const Layout layout = layout_of(question, kind);

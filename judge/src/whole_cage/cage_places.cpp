@@ -14,10 +14,10 @@ namespace {
 
 constexpr int kAttempts = 100;
 
-CageQuestion question_of(std::string_view embedded, const Placing& placing) {
+CageRequest question_of(std::string_view embedded, const Placing& placing) {
   const CageElements elements(embedded_cage(embedded), placing.keeps_quads, Triangulation::Shortest);
   const Vec3<double> x(1, 0.25, 0.5), y(0.5, 1, 0.25), z(-0.25, 0.5, 1);
-  CageQuestion question;
+  CageRequest question;
   question.dimension = elements.dimension();
   for (const Vec3<double>& vertex : elements.vertices()) {
     const Vec3<double> placed = placing.is_sheared ? Vec3<double>(x.dot(vertex), y.dot(vertex), z.dot(vertex)) : vertex;
@@ -62,16 +62,10 @@ std::vector<CagePlaces> made_in_plane(std::string_view regime) {
 CagePlaces::CagePlaces(std::string_view embedded, const Placing& placing)
     : CagePlaces(question_of(embedded, placing), placing.keeps_quads) {}
 
-CagePlaces::CagePlaces(CageQuestion cage, bool keeps_quads)
+CagePlaces::CagePlaces(CageRequest cage, bool keeps_quads)
     : question_(std::move(cage)),
       winding_(std::make_shared<WindingNumbers>(CageElements(question_.cage(), keeps_quads, Triangulation::Shortest))),
-      low_(question_.vertices[0]),
-      high_(low_) {
-  for (const Vec3<double>& vertex : question_.vertices) {
-    low_ = low_.cwiseMin(vertex);
-    high_ = high_.cwiseMax(vertex);
-  }
-}
+      box_(box_of(question_.vertices)) {}
 
 int CagePlaces::side_of(const Vec3<double>& point) const {
   const std::optional<int> winding = winding_->around(point);
@@ -81,7 +75,7 @@ int CagePlaces::side_of(const Vec3<double>& point) const {
 
 Vec3<double> CagePlaces::anywhere(RandomStream& random) const {
   Vec3<double> point = Vec3<double>::Zero();
-  for (int c = 0; c < question_.dimension; ++c) point[c] = random.uniform(low_[c], high_[c]);
+  for (int c = 0; c < question_.dimension; ++c) point[c] = random.uniform(box_.low[c], box_.high[c]);
   return point;
 }
 
@@ -118,7 +112,7 @@ std::optional<Vec3<double>> CagePlaces::point(std::string_view regime, std::uint
 Vec3<double> CagePlaces::point_on_any_side(std::string_view regime, std::uint64_t seed, std::uint64_t index) const {
   RandomStream random(seed, "side " + std::string(regime), index);
   if (regime.starts_with("on-")) return on_cage(regime, random);
-  const Vec3<double> middle = (low_ + high_) / 2, somewhere = anywhere(random);
+  const Vec3<double> middle = (box_.low + box_.high) / 2, somewhere = anywhere(random);
   if (regime == "far") return middle + std::pow(10, random.uniform(1, 8)) * (somewhere - middle);
   // Beside the cage as often as in its box.
   if (!regime.starts_with("near-")) return middle + 1.5 * (somewhere - middle);

@@ -4,6 +4,7 @@
 
 #include "cageproof/core/cage/winding_numbers.h"
 #include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/geometry/box.h"
 #include "cageproof/judge/whole_cage.h"
 
 #include <cstdint>
@@ -29,10 +30,10 @@ struct Placing {
 class CagePlaces {
  public:
   CagePlaces(std::string_view embedded, const Placing& placing);
-  explicit CagePlaces(CageQuestion cage, bool keeps_quads = false);
+  explicit CagePlaces(CageRequest cage, bool keeps_quads = false);
 
   /// The cage without points.
-  const CageQuestion& question() const { return question_; }
+  const CageRequest& question() const { return question_; }
   /// A point strictly inside the cage, or exactly on it in regimes "on-..."; nothing where none was found.
   std::optional<Vec3<double>> point(std::string_view regime, std::uint64_t seed, std::uint64_t index) const;
   /// A point on either side, or on the cage, in a regime of side_regimes().
@@ -44,9 +45,9 @@ class CagePlaces {
   Vec3<double> anywhere(RandomStream& random) const;
   Vec3<double> on_cage(std::string_view regime, RandomStream& random) const;
 
-  CageQuestion question_;
+  CageRequest question_;
   std::shared_ptr<const WindingNumbers> winding_;
-  Vec3<double> low_, high_;
+  Box box_;
 };
 
 /// The cages of a regime, which it takes in turn.

@@ -24,7 +24,7 @@ constexpr double kRoundoff = 0x1p-53;
 // A cage in one place and unit, ready to give the truth.
 class JudgedCage {
  public:
-  JudgedCage(const CageQuestion& question, const CoordinateKind& kind)
+  JudgedCage(const CageRequest& question, const CoordinateKind& kind)
       : cage_(question.cage()), coordinates_(cage_, kind, CoordinateOptions{}) {
     for (const Formula* formula : formulas_of(kind, cage_)) {
       const FaceJump& jump = formula->face_jump;
@@ -88,7 +88,7 @@ std::vector<PairTime> cage_times(ForeignCode& code, std::string_view kind, const
   const CoordinateKind& row = coordinate_kind_named(kind);
   const std::string_view cage = dimension == 2 ? "figure" : row.keeps_quads ? "spiky-box" : "icosphere";
   const CagePlaces places(cage, {.keeps_quads = row.keeps_quads});
-  CageQuestion question = places.question();
+  CageRequest question = places.question();
   for (int i = 0; i < point_count; ++i)
     if (const auto point = places.point("inside", 1, static_cast<std::uint64_t>(i))) question.points.push_back(*point);
   const double pairs = static_cast<double>(question.points.size() * question.faces.size());
@@ -121,7 +121,7 @@ std::vector<PairTime> cage_times(ForeignCode& code, std::string_view kind, const
 struct Asking {
   std::string_view regime;
   std::vector<const JudgedCage*> cages;
-  std::vector<const CageQuestion*> questions;  // without points
+  std::vector<const CageRequest*> questions;  // without points
   std::vector<Asked> asked;
   std::vector<Answer> answers;
   std::vector<Measured> measured;
@@ -129,7 +129,7 @@ struct Asking {
 
 }  // namespace
 
-Asked asked_of(const CageQuestion& question) {
+Asked asked_of(const CageRequest& question) {
   Asked asked;
   asked.count = question.points.size();
   asked.dimension = question.dimension;
@@ -145,7 +145,7 @@ Asked asked_of(const CageQuestion& question) {
 }
 
 WholeCageFunction whole_cage_function(ForeignCode& code, std::string_view kind) {
-  return [&code, kind](const CageQuestion& question) -> std::vector<double> {
+  return [&code, kind](const CageRequest& question) -> std::vector<double> {
     Asked asked = asked_of(question);
     asked.coordinates = JudgedCage(question, coordinate_kind_named(kind)).count();
     Answer answer = code.ask({.kind = kind}, {&asked, 1}).front();
@@ -168,7 +168,7 @@ SubjectCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, cons
       const CagePlaces& place = places[static_cast<std::size_t>(i) % places.size()];
       const auto point = place.point(regime, options.seed, static_cast<std::uint64_t>(i));
       if (!point) continue;
-      CageQuestion question = place.question();
+      CageRequest question = place.question();
       question.points = {*point};
       auto& cage = cages[&place];
       if (!cage) cage = std::make_unique<JudgedCage>(question, row);

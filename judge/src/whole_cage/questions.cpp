@@ -92,7 +92,7 @@ const std::vector<Shape>& shapes_in_plane() {
 
 const std::vector<Shape>& shapes(int dimension) { return dimension == 2 ? shapes_in_plane() : shapes_in_space(); }
 
-CageQuestion question_of(const Shape& shape, const Vec3<double>& point) {
+CageRequest question_of(const Shape& shape, const Vec3<double>& point) {
   return {shape.vertices, shape.faces, {point}, shape.dimension};
 }
 
@@ -126,18 +126,18 @@ CageSample on_face(const Shape& shape, int face, const std::array<int, 3>& weigh
   return {question_of(shape, point), truth, face};
 }
 
-void scale(CageQuestion& question, double unit) {
+void scale(CageRequest& question, double unit) {
   for (auto& vertex : question.vertices) vertex *= unit;
   question.points[0] *= unit;
 }
 
 }  // namespace
 
-Cage CageQuestion::cage() const {
+Cage CageRequest::cage() const {
   return dimension == 2 ? Cage::make_polygon("judged", vertices, faces) : Cage::make("judged", vertices, faces);
 }
 
-std::vector<double> truth_of(const CageQuestion& q, std::string_view kind, std::vector<std::size_t>* sizes) {
+std::vector<double> truth_of(const CageRequest& q, std::string_view kind, std::vector<std::size_t>* sizes) {
   const CoordinateKind& row = coordinate_kind_named(kind);
   const CageCoordinates coordinates(q.cage(), row, CoordinateOptions{row.is_sum() ? "closed_form" : ""});
   std::vector<double> values;
@@ -172,10 +172,10 @@ std::vector<CageSample> cage_samples(std::string_view kind, double unit, int dim
   return samples;
 }
 
-std::array<CageQuestion, 2> alike_cages(int dimension) {
+std::array<CageRequest, 2> alike_cages(int dimension) {
   const Shape& shape = shapes(dimension)[0];
   const Vec3<double> point(1, 1, dimension == 2 ? 0 : 0.5);
-  CageQuestion moved = question_of(shape, point);
+  CageRequest moved = question_of(shape, point);
   if (dimension == 2) moved.vertices[2] = {1, 6, 0};
   else moved.vertices[3] = {1, 0, 6};
   return {question_of(shape, point), moved};

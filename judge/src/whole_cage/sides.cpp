@@ -54,7 +54,7 @@ SubjectCampaign run_side_campaign(ForeignCode& code, const ElementCampaignOption
     std::vector<int> truths;
     for (int i = 0; i < options.samples; ++i) {
       const CagePlaces& place = places[static_cast<std::size_t>(i) % places.size()];
-      CageQuestion question = place.question();
+      CageRequest question = place.question();
       question.points = {place.point_on_any_side(regime, options.seed, static_cast<std::uint64_t>(i))};
       truths.push_back(place.side_of(question.points[0]));
       asked.push_back(asked_of(question));

@@ -159,7 +159,7 @@ bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
 
 // An answer that depends on the cage that was asked before.
 std::optional<CageFinding> find_state(const WholeCageFunction& theirs, std::string_view kind, int dimension) {
-  const std::array<CageQuestion, 2> cages = alike_cages(dimension);
+  const std::array<CageRequest, 2> cages = alike_cages(dimension);
   std::array<std::vector<double>, 4> answers;
   for (std::size_t i = 0; i < answers.size(); ++i) {
     answers[i] = theirs(cages[i % 2]);
@@ -212,7 +212,7 @@ CageVerdict judge_whole_cage(const WholeCageFunction& theirs, std::string_view k
     return verdict;
   }
   verdict.convention = find_cage_convention(theirs, kind, dimension);
-  const WholeCageFunction in_ours = [&](const CageQuestion& question) {
+  const WholeCageFunction in_ours = [&](const CageRequest& question) {
     return verdict.convention ? verdict.convention->in_ours(question, kind, theirs(question)) : theirs(question);
   };
   const std::array<std::vector<CageCase>, 2> units{asked(in_ours, kind, 1, dimension),

@@ -2,7 +2,7 @@
 // How somebody else's coordinates of whole cages mean the same as ours: factors, areas, an order of blocks.
 #pragma once
 
-#include "cageproof/judge/cage_question.h"
+#include "cageproof/judge/cage_request.h"
 
 #include <optional>
 #include <string>
@@ -26,7 +26,7 @@ struct CageConvention {
   bool is_ours() const;
   /// \param theirs coordinates of one point of the question's cage
   /// \return ours for theirs; what has another size is returned as it is
-  std::vector<double> in_ours(const CageQuestion& question, std::string_view kind, std::vector<double> theirs) const;
+  std::vector<double> in_ours(const CageRequest& question, std::string_view kind, std::vector<double> theirs) const;
 };
 
 /// Solves for the convention at points inside three cages: all must agree to 1e-9, or, as

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/core/coordinates/coordinates.h"
-#include "cageproof/judge/cage_question.h"
+#include "cageproof/judge/cage_request.h"
 #include "cageproof/judge/vectors.h"
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct CageVector {
 struct CageVectorSet {
   std::string cage;  ///< its name
   const CoordinateKind* kind = nullptr;
-  CageQuestion question;  ///< the cage, without points
+  CageRequest question;  ///< the cage, without points
   std::vector<CoordinateBlock> blocks;
   std::vector<CageVector> vectors;
   std::size_t candidates = 0, without_defect = 0;  ///< as of VectorSet

@@ -25,7 +25,7 @@ std::span<const Defect> defects();
 const Defect& defect_named(std::string_view key);
 
 /// A defect that was found, with the smallest input that proves it.
-struct Finding {
+struct FoundDefect {
   const Defect* defect = nullptr;
   int order = 0;             ///< 0: the value shows it, 1: the gradient does
   validation::Sample input;  ///< shrunk as long as the defect shows; empty corners where no single input proves it
@@ -39,7 +39,7 @@ struct Finding {
 struct Verdict {
   std::optional<Convention> convention;  ///< nothing where none fits all samples; judged as ours then
   std::string convention_sentence;       ///< the convention's, or why there is none
-  std::vector<Finding> findings;         ///< none: clean
+  std::vector<FoundDefect> findings;     ///< none: clean
   std::size_t samples = 0;               ///< inputs that were compared with the truth
   /// False where calls disturb each other, so that values mean nothing until that is mended.
   bool values_judged = true;

@@ -15,7 +15,7 @@ namespace cageproof::judge {
 /// One defect of whole cages, with a question that shows it.
 struct CageFinding {
   const Defect* defect = nullptr;
-  CageQuestion question;             ///< one point
+  CageRequest question;              ///< one point
   std::vector<double> ours, theirs;  ///< coordinates of that point, in our convention
   std::size_t cases = 0;
   std::string evidence;
@@ -39,7 +39,7 @@ void require_judged_kind(std::string_view kind, int dimension = 3);
 CageVerdict judge_whole_cage(const WholeCageFunction& theirs, std::string_view kind, int dimension = 3);
 
 /// The question as foreign code gets it. The number of coordinates is left zero.
-Asked asked_of(const CageQuestion& question);
+Asked asked_of(const CageRequest& question);
 
 /// Foreign code as such a function. \param kind must outlive it
 WholeCageFunction whole_cage_function(ForeignCode& code, std::string_view kind);

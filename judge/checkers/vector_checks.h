@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * The checkers of test vectors in C share exact sums of doubles, counts by defect, reading numbers. */
-#ifndef CAGEPROOF_CHECK_H
-#define CAGEPROOF_CHECK_H
+#ifndef CAGEPROOF_VECTOR_CHECKS_H
+#define CAGEPROOF_VECTOR_CHECKS_H
 
 #include <errno.h>
 #include <math.h>

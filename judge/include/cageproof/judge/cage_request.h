@@ -11,7 +11,7 @@ namespace cageproof::judge {
 
 /// A cage and points, as a caller has them: triangles in space, for kinds that keep them also quads, or segments in the
 /// plane.
-struct CageQuestion {
+struct CageRequest {
   std::vector<Vec3<double>> vertices;  ///< in the plane with third coordinate zero
   std::vector<Face> faces;
   std::vector<Vec3<double>> points;
@@ -23,6 +23,6 @@ struct CageQuestion {
 
 /// Returns coordinates, [point][coordinate]: first those of all vertices, then those of all faces, for kinds that have
 /// these. Empty where the function gives none.
-using WholeCageFunction = std::function<std::vector<double>(const CageQuestion&)>;
+using WholeCageFunction = std::function<std::vector<double>(const CageRequest&)>;
 
 }  // namespace cageproof::judge
