@@ -72,12 +72,12 @@ else
   changed=$({ git log --format= --name-only --diff-filter=d "$base..HEAD" -- "${sources[@]}" && git diff --name-only --diff-filter=d "$base" HEAD -- "${sources[@]}"; } |
     awk '!seen[$0]++' | grep -Fxf "$work/code" || true)
 fi
-# Headers that no source includes, and that are no stand-ins of tests.
+# Headers that no source includes, and that are neither stand-ins of tests nor for programs in C.
 for file in $changed; do
   [[ -f $file ]] || continue
   source=$(source_of "$file")
   if [[ -n $source ]]; then printf '%s\n' "$source" >>"$work/sources"
-  elif [[ $file == *.h && $file != scripts/* && $file != docs/* && $file != */tests/* ]]; then printf '%s\n' "$file" >>"$work/homeless"; fi
+  elif [[ $file == *.h && $file != scripts/* && $file != docs/* && $file != judge/checkers/* && $file != */tests/* ]]; then printf '%s\n' "$file" >>"$work/homeless"; fi
 done
 touch "$work/sources" "$work/homeless"
 mapfile -t files < <(awk '!seen[$0]++' "$work/sources")
