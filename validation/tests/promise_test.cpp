@@ -2,6 +2,7 @@
 // The table of promises: whole for what people rely on, and for other evaluations enough to tell another formula.
 #include "cageproof/validation/promise.h"
 #include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/regime.h"
 #include "cageproof/validation/truth.h"
