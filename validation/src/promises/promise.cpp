@@ -27,6 +27,7 @@ constexpr std::string_view recommended = "@(hybrid|closed_form|line_form|recomme
 // Bound for the maps that a deformer keeps exactly: 1e-13 of the size. Figures are divided by 1e-3 times the condition
 // of the systems that are solved, where that condition is above 1e3.
 constexpr double exact_map = 1e-13;
+constexpr const char* met_data = "the tolerance of the least squares that meet the data on the boundary";
 constexpr std::string_view deformer_reason =
     "exact except for roundings: 1e-16 of the size, times a thousand or times the condition of the systems "
     "solved, which excuses errors down to the seventh digit and no further; for a cage or a pose far from the "
@@ -357,9 +358,16 @@ constexpr std::array table{
     Row{"keeps_offset", "*", "*", "double", "*", 0, 0, 4,
         "images are computed next to the cage, to 1e-13 of its size, which at 1e3 sizes is one rounding, and each "
         "component is rounded once on the way back: 1.7 found"},
-    Row{"keeps_*", "*_goursat", "*", "double", "*", 0, 0, 1e-9,
-        "the tolerance of the least squares that meet the data on the boundary"},
-    Row{"keeps_*", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_rigid", "*_goursat", "*", "double", "*", 0, 0, 1e-9, met_data},
+    Row{"keeps_rigid", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_scale", "*_goursat", "*", "double", "*", 0, 0, 1e-9, met_data},
+    Row{"keeps_scale", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_mirror", "*_goursat", "*", "double", "*", 0, 0, 1e-9, met_data},
+    Row{"keeps_mirror", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_linear", "*_goursat", "*", "double", "*", 0, 0, 1e-9, met_data},
+    Row{"keeps_linear", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_symmetry", "*_goursat", "*", "double", "*", 0, 0, 1e-9, met_data},
+    Row{"keeps_symmetry", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
     Row{"deformer_truth", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
     Row{"deformer_truth", "*", "*", "double", "*", 1, 1, 10 * exact_map,
         "as images; 2e-2 sizes inside, each derivative loses a digit to the cage's nearness"},
