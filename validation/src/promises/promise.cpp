@@ -27,7 +27,7 @@ constexpr std::string_view recommended = "@(hybrid|closed_form|line_form|recomme
 // Bound for the maps that a deformer keeps exactly: 1e-13 of the size. Figures are divided by 1e-3 times the condition
 // of the systems that are solved, where that condition is above 1e3.
 constexpr double exact_map = 1e-13;
-constexpr const char* met_data = "the tolerance of the least squares that meet the data on the boundary";
+constexpr std::string_view met_data = "the tolerance of the least squares that meet the data on the boundary";
 constexpr std::string_view deformer_reason =
     "exact except for roundings: 1e-16 of the size, times a thousand or times the condition of the systems "
     "solved, which excuses errors down to the seventh digit and no further; for a cage or a pose far from the "
