@@ -366,6 +366,8 @@ constexpr std::array table{
     Row{"keeps_mirror", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
     Row{"keeps_linear", "*_goursat", "*", "double", "*", 0, 0, 1e-9, met_data},
     Row{"keeps_linear", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_linear_with_normals", "*_goursat", "*", "double", "*", 0, 0, 1e-9, met_data},
+    Row{"keeps_linear_with_normals", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
     Row{"keeps_symmetry", "*_goursat", "*", "double", "*", 0, 0, 1e-9, met_data},
     Row{"keeps_symmetry", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
     Row{"deformer_truth", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
